@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/partition.h"
+#include "core/seed_move.h"
+
+namespace geolloyd {
+
+/// Wall time by kernel, seconds.
+struct KernelSeconds {
+  double free_search = 0;    ///< keys and parents, regions free
+  double locked_search = 0;  ///< keys and parents, regions locked
+  double subtree_sums = 0;
+  double scoring = 0;
+  double movement = 0;
+  double other = 0;
+};
+
+/// One microstep of the precise phase, over all regions.
+struct Microstep {
+  std::uint32_t seeds_moved = 0;
+  std::uint64_t node_visits = 0;  ///< nodes settled by the locked search
+};
+
+struct MacrostepOptions {
+  std::span<const std::uint8_t> keeps_seed;  ///< per region: not 0 where the seed must stay
+  bool extended = true;                      ///< heuristic of the extended mode
+  bool microstep_skip = true;                ///< do not search a region again whose seed stayed
+};
+
+/// The coarse kernels the Lloyd loop (relaxation.h) is made of. Engines differ in how they work,
+/// never in what comes out.
+class Engine {
+ public:
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  /// Partition of all nodes, regions free. `seeds` are different nodes.
+  virtual void partition(std::span<const NodeId> seeds) = 0;
+
+  /// Of the last partition():
+  [[nodiscard]] virtual std::span<const Score> region_scores() const = 0;
+  [[nodiscard]] virtual std::uint64_t state_digest(std::span<const NodeId> seeds) const = 0;
+  /// One greedy_candidate per region (seed_move.h).
+  virtual std::vector<NodeId> greedy_candidates(std::span<const NodeId> seeds, bool extended) = 0;
+
+  /// Called after each microstep; false asks the engine to leave the macrostep.
+  using OnMicrostep = std::function<bool(const Microstep&)>;
+  /// Locks the regions of the last partition() and moves `seeds` until none moves any more. The
+  /// first microstep needs no search: with the seeds of a free partition, locking changes no key.
+  virtual void macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
+                         const OnMicrostep& on_microstep) = 0;
+
+  /// The state as it is, for reading; valid until the next call.
+  [[nodiscard]] virtual const Partition& current() const = 0;
+  /// Time spent so far; `other` is the caller's to fill.
+  [[nodiscard]] virtual const KernelSeconds& seconds() const = 0;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace geolloyd {
+
+/// The whole file. Throws IoError (missing, a directory, unreadable), naming it.
+std::string read_file(const std::filesystem::path& path);
+
+/// A file that appears whole or not at all: written under a temporary name beside `path`, renamed
+/// by commit(), removed if the object goes before that. Throws IoError.
+class OutputFile {
+ public:
+  explicit OutputFile(std::filesystem::path path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,97 @@
+#include "core/mesh_check.h"
+
+#include <numeric>
+#include <vector>
+
+#include "core/mesh_measure.h"
+
+namespace geolloyd {
+namespace {
+
+/// Union-find over vertices, halving paths.
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t find(std::uint32_t x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  /// True where the two were apart.
+  bool unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return false;
+    (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
+    return true;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+bool same_direction(const Mesh& mesh, CornerId a, CornerId b) {
+  return edge_start(mesh, a) == edge_start(mesh, b);
+}
+
+void count_edges(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+  facts.edges = edges.size();
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto corners = edges.corners(e);
+    if (corners.size() == 1) ++facts.boundary_edges;
+    if (corners.size() > 2) ++facts.non_manifold_edges;
+    if (corners.size() == 2 && same_direction(mesh, corners[0], corners[1])) {
+      ++facts.inconsistent_edges;
+    }
+    const auto [a, b] = edges.ends[e];
+    if (mesh.positions[a] == mesh.positions[b]) ++facts.zero_length_edges;
+  }
+}
+
+void count_triangles(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+  facts.triangles = mesh.triangle_count();
+  facts.duplicate_triangles = duplicate_triangles(mesh, edges).size();
+  const std::vector<double> areas = triangle_areas(mesh, edges);
+  std::size_t without_area = 0;
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    if (!has_three_vertices(mesh.triangles[t])) {
+      ++facts.repeated_vertex_triangles;
+    } else if (areas[t] == 0) {
+      ++without_area;
+    }
+    facts.area += areas[t];
+  }
+  facts.zero_area_triangles = without_area - facts.duplicate_triangles;
+}
+
+void count_vertices(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+  facts.vertices = mesh.vertex_count();
+  std::vector<bool> referenced(mesh.vertex_count(), false);
+  Sets sets(mesh.vertex_count());
+  std::size_t unions = 0;
+  for (const auto& [a, b] : edges.ends) {
+    referenced[a] = referenced[b] = true;
+    if (sets.unite(a, b)) ++unions;
+  }
+  std::size_t used = 0;
+  for (const bool r : referenced) used += r ? 1 : 0;
+  facts.unreferenced_vertices = mesh.vertex_count() - used;
+  facts.components = used - unions;
+}
+
+}  // namespace
+
+MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges) {
+  MeshFacts facts;
+  count_edges(mesh, edges, facts);
+  count_triangles(mesh, edges, facts);
+  count_vertices(mesh, edges, facts);
+  facts.euler_characteristic =
+      static_cast<std::int64_t>(facts.vertices - facts.unreferenced_vertices) -
+      static_cast<std::int64_t>(facts.edges) +
+      static_cast<std::int64_t>(facts.triangles - facts.repeated_vertex_triangles);
+  facts.bounding_diagonal = bounding_diagonal(mesh);
+  return facts;
+}
+
+}  // namespace geolloyd

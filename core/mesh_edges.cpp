@@ -1,0 +1,69 @@
+#include "core/mesh_edges.h"
+
+#include <algorithm>
+
+namespace geolloyd {
+namespace {
+
+// One entry per edge of each triangle, in the bucket of the edge's smaller vertex. The larger
+// vertex in the high half, so that sorting a bucket brings equal edges together, corners ascending.
+struct Buckets {
+  std::vector<std::uint32_t> first;
+  std::vector<std::uint64_t> entry;
+};
+
+template <class Visit>
+void for_each_corner(const Mesh& mesh, Visit&& visit) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!has_three_vertices(mesh.triangles[t])) continue;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const auto corner = static_cast<CornerId>(3 * t + c);
+      const auto [low, high] = std::minmax({edge_start(mesh, corner), edge_end(mesh, corner)});
+      visit(corner, low, high);
+    }
+  }
+}
+
+Buckets sort_corners(const Mesh& mesh) {
+  Buckets buckets;
+  buckets.first.assign(mesh.vertex_count() + 1, 0);
+  for_each_corner(mesh, [&](CornerId, VertexId low, VertexId) { ++buckets.first[low + 1]; });
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) buckets.first[v + 1] += buckets.first[v];
+
+  buckets.entry.resize(buckets.first.back());
+  std::vector<std::uint32_t> next(buckets.first.begin(), buckets.first.end() - 1);
+  for_each_corner(mesh, [&](CornerId corner, VertexId low, VertexId high) {
+    buckets.entry[next[low]++] = (std::uint64_t{high} << 32) | corner;
+  });
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    std::sort(buckets.entry.begin() + buckets.first[v],
+              buckets.entry.begin() + buckets.first[v + 1]);
+  }
+  return buckets;
+}
+
+}  // namespace
+
+MeshEdges find_edges(const Mesh& mesh) {
+  const Buckets buckets = sort_corners(mesh);
+  MeshEdges edges;
+  edges.corner.reserve(buckets.entry.size());
+  edges.ends.reserve(buckets.entry.size() / 2 + 1);
+  edges.first_corner.reserve(buckets.entry.size() / 2 + 2);
+  for (VertexId low = 0; low < mesh.vertex_count(); ++low) {
+    VertexId previous = no_id;
+    for (std::uint32_t i = buckets.first[low]; i < buckets.first[low + 1]; ++i) {
+      const auto high = static_cast<VertexId>(buckets.entry[i] >> 32);
+      if (high != previous) {
+        edges.ends.push_back({low, high});
+        edges.first_corner.push_back(i);
+        previous = high;
+      }
+      edges.corner.push_back(static_cast<CornerId>(buckets.entry[i]));
+    }
+  }
+  edges.first_corner.push_back(static_cast<std::uint32_t>(edges.corner.size()));
+  return edges;
+}
+
+}  // namespace geolloyd

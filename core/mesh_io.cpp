@@ -1,0 +1,123 @@
+#include "core/mesh_io.h"
+
+#include "core/errors.h"
+#include "core/file_io.h"
+#include "core/mesh_readers.h"
+
+namespace geolloyd {
+namespace {
+
+LoadedMesh read(MeshFormat format, std::string_view bytes, std::string_view name) {
+  switch (format) {
+    case MeshFormat::ply:
+      return read_ply(bytes, name);
+    case MeshFormat::obj:
+      return read_obj(bytes, name);
+    case MeshFormat::off:
+      return read_off(bytes, name);
+    case MeshFormat::stl:
+      break;
+  }
+  return read_stl(bytes, name);
+}
+
+// A graph numbers the corners of a mesh in 32 bits, one of which values means "none".
+void check_size(const Mesh& mesh, std::size_t file_size, const std::string& name) {
+  if (mesh.positions.empty()) fail_at_byte(name, file_size, "the file ends without a vertex");
+  if (mesh.triangles.empty()) {
+    fail_at_byte(name, file_size,
+                 "the file ends without a face; a point cloud has no surface to tessellate");
+  }
+  constexpr std::size_t most = no_id - 1;
+  if (mesh.vertex_count() > most || mesh.triangle_count() > most / 3) {
+    fail_at_byte(name, file_size,
+                 std::to_string(mesh.vertex_count()) + " vertices and " +
+                     std::to_string(mesh.triangle_count()) +
+                     " triangles are more than 32 bits can number");
+  }
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::filesystem::path& path) {
+  const MeshFormat format = format_of(path);
+  const std::string bytes = read_file(path);
+  const std::string name = path.string();
+  if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
+  LoadedMesh loaded = read(format, bytes, name);
+  check_size(loaded.mesh, bytes.size(), name);
+  return loaded;
+}
+
+MeshFormat format_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".obj") return MeshFormat::obj;
+  if (extension == ".off") return MeshFormat::off;
+  if (extension == ".stl") return MeshFormat::stl;
+  throw InvalidInput(path.string() + ": unknown extension " + in_quotes(extension) +
+                     "; .ply, .obj, .off and .stl are understood");
+}
+
+void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {
+  throw InvalidInput(std::string(name) + ": byte " + std::to_string(offset) + ": " + message);
+}
+
+std::string bad_coordinate(double coordinate) {
+  if (!std::isfinite(coordinate)) return "a coordinate is not finite";
+  return "a coordinate is beyond 1e75; scale the mesh down";
+}
+
+std::string bad_corner_count(std::int64_t count) {
+  return "the face has " + std::to_string(count) + " corners; it needs at least 3";
+}
+
+std::string bad_index(std::int64_t index, std::size_t vertex_count) {
+  return "vertex index " + std::to_string(index) + " is out of range; there are " +
+         std::to_string(vertex_count) + " vertices, counted from 0";
+}
+
+void check_line_count(const TextCursor& text, std::int64_t count, std::size_t words,
+                      std::string_view what) {
+  if (count < 0) {
+    text.fail("the number of " + std::string(what) + " is negative: " + std::to_string(count));
+  }
+  // A word takes a character and a blank or line end, which the last one may lack.
+  if (static_cast<std::uint64_t>(count) > (text.remaining() + 1) / (2 * words)) {
+    text.fail(std::to_string(count) + " " + std::string(what) +
+              " are promised, but the file ends after " + std::to_string(text.remaining()) +
+              " more bytes");
+  }
+}
+
+double parse_coordinate(const TextCursor& text, std::string_view word) {
+  const auto number = parse_real(word);
+  if (!number) text.fail_expected("a coordinate", word);
+  if (!is_usable(*number)) text.fail(bad_coordinate(*number));
+  return *number;
+}
+
+Vec3 read_position(TextCursor& text) {
+  Vec3 position;
+  for (double& coordinate : position) coordinate = parse_coordinate(text, text.word());
+  return position;
+}
+
+void read_polygon(TextCursor& text, std::size_t vertex_count, std::vector<VertexId>& corners,
+                  LoadedMesh& loaded) {
+  const std::int64_t count = text.integer("the number of corners of a face");
+  if (count < 3) text.fail(bad_corner_count(count));
+  corners.clear();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t index = text.integer("a vertex index");
+    if (static_cast<std::uint64_t>(index) >= vertex_count)
+      text.fail(bad_index(index, vertex_count));
+    corners.push_back(static_cast<VertexId>(index));
+  }
+  add_polygon(loaded, corners);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh.h"
+#include "core/mesh_edges.h"
+
+namespace geolloyd {
+
+/// Triangles with the same three vertices as an earlier one, ascending.
+std::vector<TriangleId> duplicate_triangles(const Mesh& mesh, const MeshEdges& edges);
+
+/// Area of each triangle, square mesh units. Duplicates count once, so theirs is 0, as is that of
+/// triangles naming a vertex twice.
+std::vector<double> triangle_areas(const Mesh& mesh, const MeshEdges& edges);
+
+/// A third of the area of the triangles around each vertex. Sums to the surface's area.
+std::vector<double> vertex_areas(const Mesh& mesh, const std::vector<double>& triangle_area);
+
+/// Mean of the three corners.
+Vec3 barycentre(const Mesh& mesh, TriangleId triangle);
+
+/// Length of the diagonal of the box around all vertices; 0 without any.
+double bounding_diagonal(const Mesh& mesh);
+
+}  // namespace geolloyd

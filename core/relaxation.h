@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/engine.h"
+#include "core/graph.h"
+#include "core/partition.h"
+#include "core/seed_move.h"
+
+namespace geolloyd {
+
+/// Options of the relaxation, with the thesis's settings.
+struct RelaxationOptions {
+  static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
+
+  GreedyMode greedy = GreedyMode::extended;
+  bool microstep_skip = true;  ///< changes no result
+  bool macrostep_skip = true;  ///< part of the definition: may, in theory, change the result
+  std::uint32_t max_greedy_steps = no_limit;
+  std::uint32_t max_macrosteps = no_limit;
+};
+
+enum class Phase { greedy, precise };
+
+/// One greedy step, or one macrostep of the precise phase.
+struct Step {
+  Phase phase = Phase::greedy;
+  std::uint32_t seeds_moved = 0;      ///< seeds that end the step elsewhere than they began it
+  std::uint64_t node_visits = 0;      ///< nodes settled by all its searches
+  Score score = 0;                    ///< of the partition at its start, ticks
+  double energy = 0;                  ///< the same in mesh units
+  std::uint64_t state = 0;            ///< digest of the partition at its start
+  std::vector<Microstep> microsteps;  ///< precise phase only
+  KernelSeconds seconds;
+};
+
+/// Why a relaxation ended.
+enum class End {
+  converged,    ///< every seed is the centroid of its locked region
+  interrupted,  ///< the observer asked for it
+  limit,        ///< of steps, in the options
+  recurred      ///< the seeds came back to where they had been before: it would go on for ever
+};
+
+struct Relaxation {
+  std::vector<NodeId> seeds;
+  Partition partition;  ///< of `seeds`, regions free
+  std::vector<Score> region_score;
+  double energy = 0;  ///< sum of mass * distance^2, mesh units
+  End end = End::converged;
+  std::vector<Step> steps;
+  std::uint64_t fingerprint = 0;  ///< of the states at the start of each step, and of the last one
+};
+
+/// Where a relaxation stands, after each greedy step and each microstep.
+struct Progress {
+  Phase phase;
+  std::uint32_t step;       ///< counts from 1 in each phase
+  std::uint32_t microstep;  ///< counts from 1; 0 in the greedy phase
+  std::uint32_t seeds_moved;
+  double energy;  ///< at the start of the step
+};
+
+/// Returns false to stop after the current step.
+using Observer = std::function<bool(const Progress&)>;
+
+/// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
+/// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. Where it
+/// ends before it has converged, the result is the best state met.
+Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
+                 const RelaxationOptions& options, const Observer& observer = {});
+
+}  // namespace geolloyd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/components.h"
+#include "core/mesh_graph.h"
+
+namespace geolloyd {
+
+/// Seeds in the order of the file, as nodes. Three forms, told by the first line: one input id a
+/// line (mesh_graph.h); three coordinates a line, standing for the nearest node; or a seeds.csv as
+/// geolloyd writes it. Blank lines and lines beginning with '#' are skipped. Throws InvalidInput,
+/// naming the line, where a line is malformed, an id has no node, or a node comes twice; and where
+/// a connected component of the graph has no seed.
+std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const MeshGraph& mesh_graph,
+                                   const Components& components);
+
+}  // namespace geolloyd

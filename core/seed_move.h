@@ -1,0 +1,45 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/graph.h"
+#include "core/partition.h"
+#include "core/subtree.h"
+
+namespace geolloyd {
+
+/// How the greedy phase judges a neighbour of a seed: not at all; by its own subtree; or also by
+/// those of the neighbours' that hang from the seed beside it.
+enum class GreedyMode { off, standard, extended };
+
+/// Sum over a region of distance^2 * mass, in ticks. At most 2^126.
+using Score = Uint128;
+/// Of a node that has not been the seed since scores were last forgotten.
+inline constexpr Score never_scored = std::numeric_limits<Score>::max();
+
+/// What deciding a seed's next node needs to know. Decisions are pure functions of it, so that
+/// every engine shares them.
+struct SeedMoveView {
+  const Graph& graph;
+  const Partition& partition;
+  const SubtreeSums& sums;
+  bool extended;  ///< heuristic of the extended mode
+};
+
+/// H(v) of neighbour `v` of `seed` in its region: cost(v) * mass(v), and in extended mode the same
+/// of each neighbour of `v` whose parent is the seed.
+Uint128 heuristic(const SeedMoveView& view, NodeId seed, NodeId v);
+
+/// The neighbour of `seed` in its region with the largest heuristic, the smallest node of equals;
+/// no_id where it has none.
+NodeId greedy_candidate(const SeedMoveView& view, NodeId seed);
+
+/// Where the precise phase moves `seed`: of the neighbours in its region that have a score, the one
+/// with the lowest if that is below the seed's own (the smallest node of equals); else of those
+/// never scored the one with the largest heuristic; else no_id, the seed stays. `score` holds one
+/// per node.
+NodeId precise_candidate(const SeedMoveView& view, std::span<const Score> score, NodeId seed);
+
+}  // namespace geolloyd

@@ -1,0 +1,326 @@
+// The program as its users meet it: run as a process, judged by its exit status, what it prints and
+// what it leaves behind.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/file_io.h"
+#include "core/mesh_io.h"
+#include "tests/temporary_folder.h"
+
+namespace geolloyd {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string text;  // both streams
+};
+
+Outcome run_shell(const std::string& command) {
+  Outcome outcome;
+  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> part{};
+  for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
+    outcome.text.append(part.data(), n);
+  }
+  const int status = ::pclose(pipe);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return outcome;
+}
+
+Outcome geolloyd_with(const std::string& arguments) {
+  return run_shell(std::string(GEOLLOYD_PROGRAM) + " " + arguments);
+}
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::istringstream text(read_file(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+nlohmann::json report_in(const fs::path& folder) {
+  return nlohmann::json::parse(read_file(folder / "report.json"));
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    mesh_ = folder_.path() / "torus.ply";
+    ASSERT_EQ(geolloyd_with("generate torus -t 2000 -o " + mesh_.string()).status, 0);
+  }
+
+  [[nodiscard]] Outcome relax(const std::string& options, const std::string& name = "out") const {
+    return geolloyd_with("relax " + mesh_.string() + " -o " + out(name).string() + " " + options);
+  }
+
+  [[nodiscard]] fs::path out(const std::string& name = "out") const {
+    return folder_.path() / name;
+  }
+
+  // One line that holds `message`, exit status 2, and no result.
+  static void expect_complaint(const Outcome& outcome, const std::string& message) {
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 1) << outcome.text;
+    EXPECT_EQ(outcome.text.rfind("geolloyd: ", 0), 0U) << outcome.text;
+    EXPECT_NE(outcome.text.find(message), std::string::npos) << outcome.text;
+  }
+
+  TemporaryFolder folder_;
+  fs::path mesh_;
+};
+
+TEST_F(Program, RelaxWritesAllItsResults) {
+  const Outcome outcome = relax("--seeds 20");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("converged"), std::string::npos);
+
+  const auto seeds = lines_of(out() / "seeds.csv");
+  ASSERT_EQ(seeds.size(), 21U);
+  EXPECT_EQ(seeds[0], "input_id,kind,x,y,z,nodes,area,energy");
+  const auto regions = lines_of(out() / "regions.csv");
+  EXPECT_EQ(regions[0], "input_id,kind,region,distance");
+  const Mesh mesh = read_mesh(mesh_).mesh;
+  EXPECT_EQ(regions.size(), mesh.vertex_count() + 1);
+
+  const Mesh written = read_mesh(out() / "tessellation.ply").mesh;
+  EXPECT_EQ(written.triangles, mesh.triangles);
+  EXPECT_EQ(written.positions, mesh.positions);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out())) ++files;
+  EXPECT_EQ(files, 4U);
+}
+
+TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
+  ASSERT_EQ(relax("--seeds 20 --random-seed 7").status, 0);
+  const nlohmann::json report = report_in(out());
+  EXPECT_EQ(report["fingerprint"].get<std::string>().size(), 16U);
+  EXPECT_GT(report["energy"], 0);
+  EXPECT_GT(report["energy_ratio_hexagonal"], 0.9);
+  EXPECT_LT(report["energy_ratio_hexagonal"], 1.6);
+  for (const char* key : {"load", "graph", "seeds", "relax", "write", "total"}) {
+    EXPECT_GE(report["seconds"][key], 0) << key;
+  }
+  for (const char* key : {"greedy", "macro", "micro", "partitions", "node_visits"}) {
+    EXPECT_GT(report["steps"][key], 0) << key;
+  }
+  EXPECT_GT(report["peak_memory_bytes"], 1000000);
+  EXPECT_EQ(report["input"]["triangles"], 2000);
+  EXPECT_EQ(report["options"]["random_seed"], 7);
+  EXPECT_EQ(report["interrupted"], false);
+  EXPECT_EQ(report["end"], "converged");
+  const std::size_t steps =
+      report["steps"]["greedy"].get<std::size_t>() + report["steps"]["macro"].get<std::size_t>();
+  EXPECT_EQ(report["trace"].size(), steps);
+}
+
+// Sums over seeds.csv and regions.csv agree with each other and with the report.
+TEST_F(Program, FilesAgreeWithEachOther) {
+  ASSERT_EQ(relax("--seeds 20").status, 0);
+  std::map<int, int> nodes_of_region;
+  for (const std::string& line : lines_of(out() / "regions.csv")) {
+    if (line.rfind("input_id", 0) == 0) continue;
+    const std::size_t region = line.find(',', line.find(',') + 1) + 1;
+    ++nodes_of_region[std::stoi(line.substr(region))];
+  }
+  double energy = 0;
+  const auto seeds = lines_of(out() / "seeds.csv");
+  for (std::size_t r = 0; r + 1 < seeds.size(); ++r) {
+    std::istringstream fields(seeds[r + 1]);
+    std::vector<std::string> field;
+    for (std::string f; std::getline(fields, f, ',');) field.push_back(f);
+    ASSERT_EQ(field.size(), 8U);
+    EXPECT_EQ(nodes_of_region[static_cast<int>(r)], std::stoi(field[5]));
+    energy += std::stod(field[7]);
+  }
+  EXPECT_NEAR(energy / report_in(out())["energy"].get<double>(), 1, 1e-9);
+}
+
+TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
+  for (const std::string options :
+       {"-g vertex-dense", "-g triangle", "-g triangle-dense", "-g mixed", "--init random",
+        "--init random-area", "--init kmeans++", "--norm manhattan", "--norm linf", "--greedy off",
+        "--greedy standard", "--no-microstep-skip", "--no-macrostep-skip"}) {
+    const Outcome outcome = relax("--seeds 20 " + options);
+    EXPECT_EQ(outcome.status, 0) << options << ": " << outcome.text;
+    EXPECT_EQ(report_in(out())["options"]["seeds"], 20) << options;
+  }
+}
+
+TEST_F(Program, GivesTheSameFingerprintAgainAndWithTheMicrostepsSearched) {
+  std::set<std::string> fingerprints;
+  for (const std::string options : {"", "", "--no-microstep-skip"}) {
+    ASSERT_EQ(relax("--seeds 20 " + options).status, 0);
+    fingerprints.insert(report_in(out())["fingerprint"].get<std::string>());
+  }
+  EXPECT_EQ(fingerprints.size(), 1U);
+}
+
+TEST_F(Program, ContinuesFromWrittenSeeds) {
+  ASSERT_EQ(relax("--seeds 20 --max-greedy-steps 2 --max-macrosteps 1", "first").status, 0);
+  EXPECT_EQ(report_in(out("first"))["end"], "limit");
+  const double reached = report_in(out("first"))["energy"];
+  ASSERT_EQ(relax("--seeds-file " + (out("first") / "seeds.csv").string(), "second").status, 0);
+  EXPECT_DOUBLE_EQ(report_in(out("second"))["energy_initial"].get<double>(), reached);
+  EXPECT_LT(report_in(out("second"))["energy"], reached);
+  EXPECT_EQ(report_in(out("second"))["end"], "converged");
+}
+
+TEST_F(Program, StretchesRegionsAlongAField) {
+  const fs::path plane = folder_.path() / "plane.ply";
+  ASSERT_EQ(geolloyd_with("generate plane -t 20000 -o " + plane.string()).status, 0);
+  const Mesh mesh = read_mesh(plane).mesh;
+  std::string field = "k1 k2 k1v_x k1v_y k1v_z k2v_x k2v_y k2v_z\n";
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) field += "3 1 1 0 0 0 1 0\n";
+  mesh_ = plane;
+  ASSERT_EQ(relax("--seeds 100 --vfield " + folder_.write("f.vfield", field).string()).status, 0);
+
+  // Second moments of the regions about their means, by axis: 3 to 1 across the field.
+  std::vector<std::array<double, 5>> sums(100);
+  const auto lines = lines_of(out() / "regions.csv");
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const std::string& line = lines[v + 1];
+    auto& s = sums[std::stoul(line.substr(line.find(',', line.find(',') + 1) + 1))];
+    const Vec3& p = mesh.positions[v];
+    s[0] += 1;
+    s[1] += p.x();
+    s[2] += p.y();
+    s[3] += p.x() * p.x();
+    s[4] += p.y() * p.y();
+  }
+  double along = 0;
+  double across = 0;
+  for (const auto& s : sums) {
+    along += s[3] - s[1] * s[1] / s[0];
+    across += s[4] - s[2] * s[2] / s[0];
+  }
+  EXPECT_NEAR(std::sqrt(across / along), 3, 0.45);
+}
+
+TEST_F(Program, AnswersBadCommandLinesWithOneLine) {
+  expect_complaint(geolloyd_with(""), "A subcommand is required");
+  expect_complaint(geolloyd_with("frobnicate"), "frobnicate");
+  expect_complaint(relax(""), "how many regions? Give --seeds N");
+  expect_complaint(relax("--seeds 0"), "--seeds");
+  expect_complaint(relax("--seeds -4"), "--seeds");
+  expect_complaint(relax("--seeds many"), "--seeds");
+  expect_complaint(relax("--seeds 4 --seeds-file x"), "exclude each other");
+  expect_complaint(relax("--seeds 4 --graph cube"), "cube");
+  expect_complaint(relax("--seeds 4 --frobnicate"), "--frobnicate");
+  expect_complaint(geolloyd_with("relax -o x"), "MESH");
+  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4"), "--output");
+  expect_complaint(geolloyd_with("generate cube -o x.ply"), "cube");
+  expect_complaint(geolloyd_with("generate torus -t 0 -o x.ply"), "0");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Program, AnswersUnusableFilesWithOneLine) {
+  const auto relax_file = [&](const fs::path& file, const std::string& options = "") {
+    return geolloyd_with("relax '" + file.string() + "' --seeds 4 -o " + out().string() + " " +
+                         options);
+  };
+  expect_complaint(relax_file("missing.ply"), "missing.ply: cannot open: No such file");
+  expect_complaint(relax_file(folder_.path() / "torus"), "torus");
+  expect_complaint(relax_file(folder_.path()), "");
+  expect_complaint(relax_file(folder_.write("empty.ply", "")), "empty.ply");
+  expect_complaint(relax_file(folder_.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")),
+                   "bad.obj: line 4");
+  expect_complaint(relax_file(mesh_, "--vfield missing.vfield"), "missing.vfield");
+  expect_complaint(
+      relax_file(folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n")),
+      "nothing to tessellate");
+  expect_complaint(relax("--seeds 99999"), "more seeds (99999) than graph nodes");
+}
+
+TEST_F(Program, AnswersUnwritableOutputWithOneLineBeforeTheWork) {
+  const std::string file = folder_.write("file", "x").string();
+  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file), file);
+  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file + "/deeper"),
+                   "cannot make folder");
+  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o /proc/nowhere"),
+                   "cannot make folder");
+  expect_complaint(geolloyd_with("generate torus -o " + file + "/a.ply"), "cannot write");
+  expect_complaint(geolloyd_with("generate torus -o " + file + ".xyz"), ".xyz");
+}
+
+TEST_F(Program, RefusesToOverwriteItsInput) {
+  ASSERT_EQ(relax("--seeds 4").status, 0);
+  mesh_ = out() / "tessellation.ply";
+  const std::string before = read_file(mesh_);
+  expect_complaint(relax("--seeds 4"), "would be overwritten");
+  EXPECT_EQ(read_file(mesh_), before);
+}
+
+TEST_F(Program, HandlesNamesWithBlanksAndOtherAlphabets) {
+  const fs::path odd = folder_.path() / "ein schöner Name.ply";
+  fs::rename(mesh_, odd);
+  const Outcome outcome = geolloyd_with("relax '" + odd.string() + "' --seeds 4 -o '" +
+                                        (folder_.path() / "là bas").string() + "'");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(report_in(folder_.path() / "là bas")["input"]["file"], odd.string());
+}
+
+TEST_F(Program, AnInterruptEndsItWithAMarkedResultThatCanBeContinued) {
+  mesh_ = folder_.path() / "sphere.ply";
+  ASSERT_EQ(geolloyd_with("generate sphere -t 400000 -o " + mesh_.string()).status, 0);
+  // The seeds come late, so that the signal meets the relaxation, which takes long from here.
+  const Outcome outcome =
+      run_shell("timeout -s INT 3 " + std::string(GEOLLOYD_PROGRAM) + " relax " + mesh_.string() +
+                " --seeds 500 --init random -o " + out().string() + "; echo status $?");
+  ASSERT_TRUE(fs::exists(out() / "report.json")) << outcome.text;
+  const nlohmann::json report = report_in(out());
+  EXPECT_EQ(report["end"], "interrupted");
+  EXPECT_EQ(report["interrupted"], true);
+  EXPECT_LE(report["energy"], report["energy_initial"]);
+  EXPECT_NE(outcome.text.find("INTERRUPTED"), std::string::npos);
+  EXPECT_EQ(lines_of(out() / "seeds.csv").size(), 501U);
+  const Outcome again = relax(
+      "--max-greedy-steps 1 --max-macrosteps 0 --seeds-file " + (out() / "seeds.csv").string(),
+      "again");
+  EXPECT_EQ(again.status, 0) << again.text;
+  EXPECT_DOUBLE_EQ(report_in(out("again"))["energy_initial"].get<double>(), report["energy"]);
+}
+
+TEST_F(Program, IsSilentAboutProgressInAPipe) {
+  const Outcome outcome = relax("--seeds 20");
+  EXPECT_EQ(outcome.text.find('\r'), std::string::npos);
+  EXPECT_EQ(outcome.text.find("moving"), std::string::npos);
+}
+
+TEST_F(Program, SubdividesAndInforms) {
+  const fs::path finer = folder_.path() / "finer.obj";
+  const Outcome outcome = geolloyd_with("subdivide " + mesh_.string() +
+                                        " -s midpoint -s barycentric -o " + finer.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(read_mesh(finer).mesh.triangle_count(), 2000U * 4 * 6);
+  const Outcome info = geolloyd_with("info " + finer.string());
+  EXPECT_EQ(info.status, 0);
+  EXPECT_NE(info.text.find("48,000 triangles"), std::string::npos) << info.text;
+  EXPECT_NE(info.text.find("Euler characteristic 0, closed"), std::string::npos) << info.text;
+}
+
+TEST_F(Program, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(geolloyd_with("--version").text, "geolloyd " GEOLLOYD_VERSION "\n");
+  for (const std::string command : {"", "relax ", "generate ", "subdivide ", "info "}) {
+    const Outcome help = geolloyd_with(command + "--help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.text.find("Usage:"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd

@@ -1,0 +1,47 @@
+#include "tools/facts_text.h"
+
+#include <fmt/format.h>
+
+namespace geolloyd {
+namespace {
+
+// A line where there is something to say.
+std::string finding(std::size_t count, const char* what) {
+  return count == 0 ? "" : fmt::format("  {:<12}{} {}\n", "found", grouped(count), what);
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
+  std::string text = fmt::format(
+      "  {:<12}{}: {} vertices, {} edges, {} triangles\n"
+      "  {:<12}{} component{}, Euler characteristic {}, {}, area {:.6g}, diagonal {:.6g}\n",
+      "mesh", input.format, grouped(facts.vertices), grouped(facts.edges), grouped(facts.triangles),
+      "", grouped(facts.components), facts.components == 1 ? "" : "s", facts.euler_characteristic,
+      facts.boundary_edges == 0 ? std::string("closed")
+                                : grouped(facts.boundary_edges) + " boundary edges",
+      facts.area, facts.bounding_diagonal);
+  text += finding(input.polygon_count, "polygons: split into triangles");
+  text += finding(input.welded_corners, "repeated corners: welded");
+  text += finding(facts.unreferenced_vertices, "vertices of no triangle: get no region");
+  text +=
+      finding(facts.repeated_vertex_triangles, "triangles naming a vertex twice: get no region");
+  text += finding(facts.zero_area_triangles, "triangles without area: have no mass");
+  text += finding(facts.duplicate_triangles, "duplicate triangles: mass counted once");
+  text += finding(facts.non_manifold_edges, "non-manifold edges: all their triangles connected");
+  text += finding(facts.inconsistent_edges, "edges between opposite orientations: connected");
+  text += finding(facts.zero_length_edges, "edges without length: one tick long");
+  return text;
+}
+
+}  // namespace geolloyd

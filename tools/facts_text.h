@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+
+namespace geolloyd {
+
+/// A mesh in a few lines for people: what it is, then what was found in it and how that is handled.
+std::string describe(const LoadedMesh& input, const MeshFacts& facts);
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number);
+
+}  // namespace geolloyd

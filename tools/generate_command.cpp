@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/mesh_io.h"
+#include "core/shapes.h"
+#include "tools/commands.h"
+#include "tools/facts_text.h"
+#include "tools/names.h"
+
+namespace geolloyd {
+namespace {
+
+using Shape = Mesh (*)(std::size_t triangles, std::uint64_t random_seed);
+
+const std::vector<Named<Shape>> shape_names = {
+    {"creature", creature},
+    {"plane", irregular_plane},
+    {"sphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
+    {"torus", torus},
+};
+
+struct Arguments {
+  std::string shape;
+  std::filesystem::path output;
+  std::size_t triangles = 1'000'000;
+  std::uint64_t random_seed = 1;
+};
+
+}  // namespace
+
+void add_generate_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("generate", "Make a mesh of a shape");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("SHAPE", arguments->shape, "What to make")
+      ->required()
+      ->check(CLI::IsMember(names_of(shape_names)));
+  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->required();
+  command
+      ->add_option("-t,--triangles", arguments->triangles,
+                   "At least so many; the shape's next possible number is made")
+      ->capture_default_str();
+  command->add_option("--random-seed", arguments->random_seed, "Varies the shape")
+      ->capture_default_str();
+  command->callback([arguments] {
+    const Shape shape = value_of(shape_names, arguments->shape);
+    const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
+    write_mesh(arguments->output, mesh);
+    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
+               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+  });
+}
+
+}  // namespace geolloyd

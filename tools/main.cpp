@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "core/errors.h"
+#include "tools/commands.h"
+
+namespace {
+
+constexpr int status_error = 1;      // ours to mend
+constexpr int status_bad_input = 2;  // the user's to mend
+constexpr int status_interrupted = 130;
+
+int complain(int status, const char* message) {
+  std::fprintf(stderr, "geolloyd: %s\n", message);
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(
+      "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
+      "Try: geolloyd generate creature -o creature.ply\n"
+      "     geolloyd relax creature.ply --seeds 2048 -o result");
+  program.name("geolloyd");
+  program.set_version_flag("--version", "geolloyd " GEOLLOYD_VERSION);
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(34);
+  geolloyd::add_relax_command(program);
+  geolloyd::add_generate_command(program);
+  geolloyd::add_subdivide_command(program);
+  geolloyd::add_info_command(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    if (asked_for) return program.exit(error);
+    return complain(status_bad_input, error.what());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const geolloyd::Error& error) {
+    return complain(status_bad_input, error.what());
+  } catch (const geolloyd::InterruptedExit&) {
+    return status_interrupted;
+  } catch (const std::bad_alloc&) {
+    return complain(status_error, "out of memory: use a smaller mesh or a graph with fewer arcs");
+  } catch (const std::exception& error) {
+    return complain(status_error, error.what());
+  }
+}

@@ -1,0 +1,37 @@
+#include "tools/names.h"
+
+namespace geolloyd {
+
+const std::vector<Named<GraphKind>> graph_kind_names = {
+    {"vertex", GraphKind::vertex},     {"vertex-dense", GraphKind::vertex_dense},
+    {"triangle", GraphKind::triangle}, {"triangle-dense", GraphKind::triangle_dense},
+    {"mixed", GraphKind::mixed},
+};
+
+const std::vector<Named<Norm>> norm_names = {
+    {"geodesic", Norm::geodesic},
+    {"manhattan", Norm::manhattan},
+    {"linf", Norm::linf},
+};
+
+const std::vector<Named<GreedyMode>> greedy_mode_names = {
+    {"off", GreedyMode::off},
+    {"standard", GreedyMode::standard},
+    {"extended", GreedyMode::extended},
+};
+
+const std::vector<Named<SeedInit>> seed_init_names = {
+    {"farthest", SeedInit::farthest},
+    {"kmeans++", SeedInit::kmeans_plus_plus},
+    {"random-area", SeedInit::random_area},
+    {"random", SeedInit::random},
+};
+
+const std::vector<Named<End>> end_names = {
+    {"converged", End::converged},
+    {"interrupted", End::interrupted},
+    {"limit", End::limit},
+    {"recurred", End::recurred},
+};
+
+}  // namespace geolloyd

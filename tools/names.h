@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/arc_length.h"
+#include "core/mesh_graph.h"
+#include "core/relaxation.h"
+#include "core/seeds.h"
+
+namespace geolloyd {
+
+// The words of the command line and of report.json for each choice. Scripts rely on them.
+
+template <class Choice>
+struct Named {
+  const char* name;
+  Choice value;
+};
+
+extern const std::vector<Named<GraphKind>> graph_kind_names;
+extern const std::vector<Named<Norm>> norm_names;
+extern const std::vector<Named<GreedyMode>> greedy_mode_names;
+extern const std::vector<Named<SeedInit>> seed_init_names;
+extern const std::vector<Named<End>> end_names;
+
+template <class Choice>
+std::vector<std::string> names_of(const std::vector<Named<Choice>>& choices) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.emplace_back(choice.name);
+  return names;
+}
+
+/// `name` must be one of the names.
+template <class Choice>
+Choice value_of(const std::vector<Named<Choice>>& choices, const std::string& name) {
+  auto choice = choices.begin();
+  while (choice->name != name) ++choice;
+  return choice->value;
+}
+
+template <class Choice>
+std::string name_of(const std::vector<Named<Choice>>& choices, Choice value) {
+  auto choice = choices.begin();
+  while (choice->value != value) ++choice;
+  return choice->name;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,53 @@
+#include "tools/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace geolloyd {
+namespace {
+
+constexpr double seconds_between_updates = 0.1;
+constexpr std::size_t bar_width = 24;
+
+// The share of seeds at rest: it does not rise steadily, but it ends full.
+std::string bar(std::size_t moving, std::size_t seeds) {
+  const std::size_t full = bar_width * (seeds - moving) / seeds;
+  return std::string(full, '#') + std::string(bar_width - full, '.');
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void ProgressLine::stage(const std::string& what) {
+  print(what + " ...");
+}
+
+void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
+  if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return;
+  last_shown_ = watch_.seconds();
+  const std::string step =
+      progress.phase == Phase::greedy
+          ? fmt::format("greedy   step {:<9}", progress.step)
+          : fmt::format("precise  step {:<9}",
+                        fmt::format("{}.{}", progress.step, progress.microstep));
+  print(fmt::format("{} [{}] {:>6} of {} seeds moving   energy {:.6g}   {:.0f} s", step,
+                    bar(progress.seeds_moved, seed_count), progress.seeds_moved, seed_count,
+                    progress.energy, watch_.seconds()));
+}
+
+void ProgressLine::clear() {
+  if (printed_) std::fputs("\r\033[K", stderr);
+  printed_ = false;
+}
+
+void ProgressLine::print(const std::string& text) {
+  if (!on_terminal_) return;
+  std::fputs(("\r\033[K" + text).c_str(), stderr);
+  std::fflush(stderr);
+  printed_ = true;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "core/relaxation.h"
+#include "core/stopwatch.h"
+
+namespace geolloyd {
+
+/// One line on standard error that tells how far a relaxation is; silent unless that is a terminal.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() { clear(); }
+
+  /// What is being done, where no steps can be counted.
+  void stage(const std::string& what);
+  void show(const Progress& progress, std::size_t seed_count);
+  void clear();
+
+ private:
+  void print(const std::string& text);
+
+  bool on_terminal_;
+  bool printed_ = false;
+  double last_shown_ = -1;  // seconds of watch_
+  Stopwatch watch_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/components.h"
+#include "core/errors.h"
+#include "core/reference_engine.h"
+#include "core/seed_file.h"
+#include "core/seeds.h"
+#include "tools/commands.h"
+#include "tools/facts_text.h"
+#include "tools/interrupt.h"
+#include "tools/names.h"
+#include "tools/progress.h"
+#include "tools/relax_output.h"
+#include "tools/report.h"
+#include "tools/run_record.h"
+
+namespace geolloyd {
+namespace {
+
+void add_seed_options(CLI::App& command, RelaxArguments& a) {
+  command.add_option("-k,--seeds", a.seeds, "Number of seeds, one per region")
+      ->check(CLI::PositiveNumber)
+      ->group("Seeds");
+  command
+      .add_option("--seeds-file", a.seeds_file,
+                  "Start from these seeds instead: an input id or three coordinates a line, or the "
+                  "seeds.csv of another run")
+      ->group("Seeds");
+  command.add_option("--init", a.init, "How to choose the first seeds")
+      ->check(CLI::IsMember(names_of(seed_init_names)))
+      ->capture_default_str()
+      ->group("Seeds");
+  command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds")
+      ->capture_default_str()
+      ->group("Seeds");
+}
+
+void add_graph_options(CLI::App& command, RelaxArguments& a) {
+  command.add_option("-g,--graph", a.graph, "What the nodes are, and how densely joined")
+      ->check(CLI::IsMember(names_of(graph_kind_names)))
+      ->capture_default_str()
+      ->group("Graph");
+  command
+      .add_option("--norm", a.norm,
+                  "How displacements are measured; manhattan and linf along the tangent field, or "
+                  "without one along the axes of the coordinates")
+      ->check(CLI::IsMember(names_of(norm_names)))
+      ->capture_default_str()
+      ->group("Graph");
+  command
+      .add_option("--vfield", a.vfield,
+                  "Tangent field for an anisotropic metric: k1 k2, then two vectors per vertex")
+      ->group("Graph");
+}
+
+void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
+  command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours")
+      ->check(CLI::IsMember(names_of(greedy_mode_names)))
+      ->capture_default_str()
+      ->group("Relaxation");
+  command
+      .add_flag("--no-microstep-skip", a.no_microstep_skip,
+                "Search regions again even if their seed stayed (same result, slower)")
+      ->group("Relaxation");
+  command
+      .add_flag("--no-macrostep-skip", a.no_macrostep_skip,
+                "Move seeds even if their region's score did not change")
+      ->group("Relaxation");
+  command
+      .add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after so many")
+      ->default_str("none")
+      ->group("Relaxation");
+  command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after so many")
+      ->default_str("none")
+      ->group("Relaxation");
+}
+
+void check_arguments(const RelaxArguments& a) {
+  if (a.seeds == 0 && a.seeds_file.empty()) {
+    throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
+  }
+  if (a.seeds != 0 && !a.seeds_file.empty()) {
+    throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
+  }
+}
+
+RelaxationOptions relaxation_options(const RelaxArguments& a) {
+  return {value_of(greedy_mode_names, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
+          a.max_greedy_steps, a.max_macrosteps};
+}
+
+void load(RunRecord& run, MeshEdges& edges) {
+  const Stopwatch watch;
+  run.input = read_mesh(run.arguments.mesh);
+  edges = find_edges(run.input.mesh);
+  run.facts = check_mesh(run.input.mesh, edges);
+  run.seconds.load = watch.seconds();
+}
+
+void build_graph(RunRecord& run, const MeshEdges& edges) {
+  const Stopwatch watch;
+  const RelaxArguments& a = run.arguments;
+  MeshGraphOptions options{value_of(graph_kind_names, a.graph), value_of(norm_names, a.norm), {}};
+  if (!a.vfield.empty()) {
+    options.vertex_space = read_tangent_field(a.vfield, run.input.mesh.vertex_count());
+  }
+  run.mesh_graph = make_mesh_graph(run.input.mesh, edges, options);
+  run.seconds.graph = watch.seconds();
+}
+
+std::vector<NodeId> first_seeds(RunRecord& run) {
+  const Stopwatch watch;
+  const RelaxArguments& a = run.arguments;
+  const Components components = connected_components(run.mesh_graph.graph);
+  run.components = components.size();
+  std::vector<NodeId> seeds =
+      a.seeds_file.empty() ? choose_seeds(run.mesh_graph.graph, components,
+                                          value_of(seed_init_names, a.init), a.seeds, a.random_seed)
+                           : read_seed_file(a.seeds_file, run.mesh_graph, components);
+  run.seconds.seeds = watch.seconds();
+  return seeds;
+}
+
+void relax_seeds(RunRecord& run, std::vector<NodeId> seeds, ProgressLine& progress) {
+  const Stopwatch watch;
+  const Graph& graph = run.mesh_graph.graph;
+  const std::size_t count = seeds.size();
+  const auto engine = make_reference_engine(graph);
+  run.relaxation = relax(graph, *engine, std::move(seeds), relaxation_options(run.arguments),
+                         [&](const Progress& p) {
+                           progress.show(p, count);
+                           return !interrupted();
+                         });
+  run.seconds.relax = watch.seconds();
+}
+
+const char* describe(End end) {
+  switch (end) {
+    case End::converged:
+      return "converged";
+    case End::interrupted:
+      return "INTERRUPTED, best state so far,";
+    case End::limit:
+      return "stopped at the limit of macrosteps, best state so far,";
+    case End::recurred:
+      return "STOPPED, the seeds came back to an earlier state; the best state";
+  }
+  return "";
+}
+
+void print_summary(const RunRecord& run) {
+  const Relaxation& result = run.relaxation;
+  const StepCounts steps = count_steps(result);
+  const Graph& graph = run.mesh_graph.graph;
+  const double initial = result.steps.empty() ? result.energy : result.steps.front().energy;
+  const StageSeconds& s = run.seconds;
+  fmt::print("{}\n{}", run.arguments.mesh.string(), describe(run.input, run.facts));
+  fmt::print("  {:<12}{}: {} nodes, {} arcs, {} component{}\n", "graph", run.arguments.graph,
+             grouped(graph.node_count()), grouped(graph.arc_count()), grouped(run.components),
+             run.components == 1 ? "" : "s");
+  fmt::print(
+      "  {:<12}{} from {}\n", "seeds", grouped(run.regions.size()),
+      run.arguments.seeds_file.empty() ? run.arguments.init : run.arguments.seeds_file.string());
+  fmt::print("  {:<12}{} after {} greedy steps, {} macrosteps of {} microsteps\n", "relaxation",
+             describe(result.end), steps.greedy, steps.macro, steps.micro);
+  fmt::print("  {:<12}{:.8g} -> {:.8g}, {:.4f} of a regular hexagonal tiling\n", "energy", initial,
+             result.energy, result.energy / hexagonal_energy(run));
+  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
+  fmt::print(
+      "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, write {:.2f}; "
+      "{:.0f} MB\n",
+      "time", s.total, s.load, s.graph, s.seeds, s.relax, s.write,
+      static_cast<double>(peak_memory_bytes()) * 1e-6);
+  fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv report.json\n", "written",
+             run.arguments.output.string());
+}
+
+void run_relax(const RelaxArguments& arguments) {
+  check_arguments(arguments);
+  const Stopwatch total;
+  RunRecord run;
+  run.arguments = arguments;
+  ProgressLine progress;
+  progress.stage("reading " + arguments.mesh.string());
+  {
+    MeshEdges edges;
+    load(run, edges);
+    prepare_output(arguments);
+    progress.stage("building the " + arguments.graph + " graph");
+    build_graph(run, edges);
+  }
+  progress.stage("choosing seeds");
+  std::vector<NodeId> seeds = first_seeds(run);
+  catch_interrupts();
+  relax_seeds(run, std::move(seeds), progress);
+
+  progress.stage("writing " + arguments.output.string());
+  const Stopwatch writing;
+  run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
+                                  run.relaxation.seeds, run.relaxation.region_score);
+  write_results(run);
+  run.seconds.write = writing.seconds();
+  run.seconds.total = total.seconds();
+  write_report(run);
+  progress.clear();
+  print_summary(run);
+  if (run.relaxation.end == End::interrupted) throw InterruptedExit{};
+}
+
+}  // namespace
+
+void add_relax_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "relax", "Tessellate a mesh: move seeds to the centroids of their regions");
+  const auto arguments = std::make_shared<RelaxArguments>();
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Folder for tessellation.ply, seeds.csv, regions.csv and report.json")
+      ->required();
+  add_seed_options(*command, *arguments);
+  add_graph_options(*command, *arguments);
+  add_relaxation_options(*command, *arguments);
+  command->footer(
+      "Ctrl-C ends the work after the current step and writes the best result so far.\n"
+      "To go on from there: --seeds-file DIR/seeds.csv");
+  command->callback([arguments] { run_relax(*arguments); });
+}
+
+}  // namespace geolloyd

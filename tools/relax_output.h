@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "tools/run_record.h"
+
+namespace geolloyd {
+
+/// Makes the folder and makes sure that files can be written there, before hours of work depend on
+/// it, and that none of them is one of the run's own inputs. Throws Error.
+void prepare_output(const RelaxArguments& arguments);
+
+/// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
+/// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
+/// a line per region. regions.csv: a line per input id.
+void write_results(const RunRecord& run);
+
+/// report.json (report.h), the last file to appear.
+void write_report(const RunRecord& run);
+
+}  // namespace geolloyd

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/mesh_check.h"
+#include "core/mesh_graph.h"
+#include "core/mesh_io.h"
+#include "core/relaxation.h"
+#include "core/tessellation.h"
+
+namespace geolloyd {
+
+/// What the command line of `relax` says, in its own words (names.h).
+struct RelaxArguments {
+  std::filesystem::path mesh;
+  std::filesystem::path output;
+  std::size_t seeds = 0;  ///< 0: not given
+  std::filesystem::path seeds_file;
+  std::string init = "farthest";
+  std::uint64_t random_seed = 1;
+  std::string graph = "vertex";
+  std::string norm = "geodesic";
+  std::filesystem::path vfield;
+  std::string greedy = "extended";
+  bool no_microstep_skip = false;
+  bool no_macrostep_skip = false;
+  std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;
+  std::uint32_t max_macrosteps = RelaxationOptions::no_limit;
+};
+
+struct StageSeconds {
+  double load = 0;  ///< reading and checking the mesh
+  double graph = 0;
+  double seeds = 0;
+  double relax = 0;
+  double write = 0;
+  double total = 0;
+};
+
+/// All there is to tell of one run of `relax`.
+struct RunRecord {
+  RelaxArguments arguments;
+  LoadedMesh input;
+  MeshFacts facts;
+  MeshGraph mesh_graph;
+  std::size_t components = 0;  ///< of the graph
+  Relaxation relaxation;
+  std::vector<RegionSummary> regions;
+  StageSeconds seconds;
+};
+
+/// Energy of a regular hexagonal tiling of the plane with as much area and as many regions.
+/// 0.160375 is that of one regular hexagon of unit area and unit density, 5 / (18 sqrt 3).
+inline double hexagonal_energy(const RunRecord& run) {
+  double mass = 0;
+  for (const RegionSummary& region : run.regions) mass += region.area;
+  return 0.160375 * mass * run.facts.area / static_cast<double>(run.regions.size());
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/mesh_io.h"
+#include "core/subdivide.h"
+#include "tools/commands.h"
+#include "tools/facts_text.h"
+#include "tools/names.h"
+
+namespace geolloyd {
+namespace {
+
+using Scheme = Mesh (*)(const Mesh& mesh);
+
+const std::vector<Named<Scheme>> scheme_names = {
+    {"midpoint", subdivide_midpoint},
+    {"barycentric", subdivide_barycentric},
+};
+
+struct Arguments {
+  std::filesystem::path mesh;
+  std::filesystem::path output;
+  std::vector<std::string> schemes;
+};
+
+}  // namespace
+
+void add_subdivide_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("subdivide", "Make a mesh finer, keeping its surface");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")->required();
+  command
+      ->add_option("-s,--scheme", arguments->schemes,
+                   "midpoint: 4 triangles for each, barycentric: 6; several are done in turn")
+      ->required()
+      ->check(CLI::IsMember(names_of(scheme_names)));
+  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->required();
+  command->callback([arguments] {
+    Mesh mesh = read_mesh(arguments->mesh).mesh;
+    for (const std::string& name : arguments->schemes) mesh = value_of(scheme_names, name)(mesh);
+    write_mesh(arguments->output, mesh);
+    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
+               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+  });
+}
+
+}  // namespace geolloyd
