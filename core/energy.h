@@ -14,7 +14,8 @@ inline void add_scores(const Graph& graph, const std::vector<Key>& keys,
                        std::span<const NodeId> nodes, std::span<Score> region_score) {
   for (const NodeId v : nodes) {
     const std::uint64_t distance = distance_of(keys[v]);
-    region_score[region_of(keys[v])] += Uint128{distance * distance} * graph.mass[v];
+    const std::uint64_t squared = distance * distance;
+    region_score[region_of(keys[v])] += Uint128{squared} * graph.mass[v];
   }
 }
 

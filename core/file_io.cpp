@@ -63,7 +63,6 @@ OutputFile::OutputFile(std::filesystem::path path)
   if (std::filesystem::is_directory(path_, ignored)) fail(path_, "cannot write", EISDIR);
   file_.reset(std::fopen(temporary_.c_str(), "wbe"));
   if (!file_) fail(path_, "cannot write", errno);
-  std::setvbuf(file_.get(), nullptr, _IOFBF, 1 << 20);
 }
 
 OutputFile::~OutputFile() {

@@ -30,28 +30,27 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-bool same_direction(const Mesh& mesh, CornerId a, CornerId b) {
-  return edge_start(mesh, a) == edge_start(mesh, b);
-}
-
-void count_edges(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+// Returns whether there may be duplicate triangles: they meet at an edge of two triangles with the
+// same third vertex, or at one of more.
+bool count_edges(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+  bool may_repeat = false;
   facts.edges = edges.size();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto corners = edges.corners(e);
     if (corners.size() == 1) ++facts.boundary_edges;
     if (corners.size() > 2) ++facts.non_manifold_edges;
-    if (corners.size() == 2 && same_direction(mesh, corners[0], corners[1])) {
-      ++facts.inconsistent_edges;
-    }
-    const auto [a, b] = edges.ends[e];
-    if (mesh.positions[a] == mesh.positions[b]) ++facts.zero_length_edges;
+    if (corners.size() != 2) continue;
+    if (edge_start(mesh, corners[0]) == edge_start(mesh, corners[1])) ++facts.inconsistent_edges;
+    may_repeat |= apex(mesh, corners[0]) == apex(mesh, corners[1]);
   }
+  return may_repeat || facts.non_manifold_edges > 0;
 }
 
-void count_triangles(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+void count_triangles(const Mesh& mesh, const std::vector<TriangleId>& duplicates,
+                     MeshFacts& facts) {
   facts.triangles = mesh.triangle_count();
-  facts.duplicate_triangles = duplicate_triangles(mesh, edges).size();
-  const std::vector<double> areas = triangle_areas(mesh, edges);
+  facts.duplicate_triangles = duplicates.size();
+  const std::vector<double> areas = triangle_areas(mesh, duplicates);
   std::size_t without_area = 0;
   for (std::size_t t = 0; t < areas.size(); ++t) {
     if (!has_three_vertices(mesh.triangles[t])) {
@@ -62,6 +61,12 @@ void count_triangles(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts)
     facts.area += areas[t];
   }
   facts.zero_area_triangles = without_area - facts.duplicate_triangles;
+}
+
+void count_zero_length_edges(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
+  for (const auto& [a, b] : edges.ends) {
+    if (mesh.positions[a] == mesh.positions[b]) ++facts.zero_length_edges;
+  }
 }
 
 void count_vertices(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
@@ -83,8 +88,14 @@ void count_vertices(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) 
 
 MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges) {
   MeshFacts facts;
-  count_edges(mesh, edges, facts);
-  count_triangles(mesh, edges, facts);
+  const bool may_repeat = count_edges(mesh, edges, facts);
+  count_triangles(mesh, may_repeat ? duplicate_triangles(mesh, edges) : std::vector<TriangleId>(),
+                  facts);
+  // The triangles at an edge without length have no area either, so mostly there is nothing to look
+  // at.
+  if (facts.zero_area_triangles + facts.duplicate_triangles > 0) {
+    count_zero_length_edges(mesh, edges, facts);
+  }
   count_vertices(mesh, edges, facts);
   facts.euler_characteristic =
       static_cast<std::int64_t>(facts.vertices - facts.unreferenced_vertices) -

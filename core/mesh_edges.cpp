@@ -24,6 +24,21 @@ void for_each_corner(const Mesh& mesh, Visit&& visit) {
   }
 }
 
+// A vertex has some six edges: insertion beats a library sort by the cost of its call.
+void sort_bucket(std::span<std::uint64_t> bucket) {
+  constexpr std::size_t few = 32;
+  if (bucket.size() > few) {
+    std::sort(bucket.begin(), bucket.end());
+    return;
+  }
+  for (std::size_t i = 1; i < bucket.size(); ++i) {
+    const std::uint64_t entry = bucket[i];
+    std::size_t slot = i;
+    for (; slot > 0 && bucket[slot - 1] > entry; --slot) bucket[slot] = bucket[slot - 1];
+    bucket[slot] = entry;
+  }
+}
+
 Buckets sort_corners(const Mesh& mesh) {
   Buckets buckets;
   buckets.first.assign(mesh.vertex_count() + 1, 0);
@@ -36,8 +51,8 @@ Buckets sort_corners(const Mesh& mesh) {
     buckets.entry[next[low]++] = (std::uint64_t{high} << 32) | corner;
   });
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    std::sort(buckets.entry.begin() + buckets.first[v],
-              buckets.entry.begin() + buckets.first[v + 1]);
+    sort_bucket(
+        {buckets.entry.data() + buckets.first[v], buckets.entry.data() + buckets.first[v + 1]});
   }
   return buckets;
 }
@@ -47,7 +62,7 @@ Buckets sort_corners(const Mesh& mesh) {
 MeshEdges find_edges(const Mesh& mesh) {
   const Buckets buckets = sort_corners(mesh);
   MeshEdges edges;
-  edges.corner.reserve(buckets.entry.size());
+  edges.corner.resize(buckets.entry.size());
   edges.ends.reserve(buckets.entry.size() / 2 + 1);
   edges.first_corner.reserve(buckets.entry.size() / 2 + 2);
   for (VertexId low = 0; low < mesh.vertex_count(); ++low) {
@@ -59,7 +74,7 @@ MeshEdges find_edges(const Mesh& mesh) {
         edges.first_corner.push_back(i);
         previous = high;
       }
-      edges.corner.push_back(static_cast<CornerId>(buckets.entry[i]));
+      edges.corner[i] = static_cast<CornerId>(buckets.entry[i]);
     }
   }
   edges.first_corner.push_back(static_cast<std::uint32_t>(edges.corner.size()));

@@ -63,12 +63,12 @@ class LinkBuilder {
   }
 
   // In the graphs of triangles a vertex has a place but no node.
-  Place vertex(VertexId v) const {
+  [[nodiscard]] Place vertex(VertexId v) const {
     return {has_vertices(options_.kind) ? target_.node_of[v] : no_id, mesh_.positions[v],
             options_.vertex_space.empty() ? nullptr : &options_.vertex_space[v]};
   }
 
-  Place triangle(TriangleId t) const {
+  [[nodiscard]] Place triangle(TriangleId t) const {
     return {target_.node_of[target_.first_triangle_id + t], barycentre(mesh_, t),
             triangle_space_.empty() ? nullptr : &triangle_space_[t]};
   }
@@ -76,17 +76,18 @@ class LinkBuilder {
   // Length of a way from a to b whose isotropic length is known: its displacement is taken as the
   // chord's direction with that length. A way between two places that coincide in space (a closed
   // fold) has no direction, and keeps its isotropic length.
-  double length(const Place& a, const Place& b, double isotropic) const {
-    if (a.space == nullptr && options_.norm == Norm::geodesic) return isotropic;
+  [[nodiscard]] double length(const Place& a, const Place& b, double isotropic) const {
+    const bool in_field = a.space != nullptr && b.space != nullptr;
+    if (!in_field && options_.norm == Norm::geodesic) return isotropic;
     const Vec3 chord = b.position - a.position;
     const double chord_length = geolloyd::norm(chord);
     if (chord_length == 0) return isotropic;
     const Vec3 displacement = chord * (isotropic / chord_length);
-    return a.space == nullptr ? measure(displacement, options_.norm)
-                              : measure(displacement, average(*a.space, *b.space), options_.norm);
+    return in_field ? measure(displacement, average(*a.space, *b.space), options_.norm)
+                    : measure(displacement, options_.norm);
   }
 
-  double straight_length(const Place& a, const Place& b) const {
+  [[nodiscard]] double straight_length(const Place& a, const Place& b) const {
     return length(a, b, geolloyd::norm(b.position - a.position));
   }
 
@@ -122,7 +123,7 @@ class LinkBuilder {
     link_across_edges([this](CornerId corner) { return triangle(triangle_of(corner)); });
   }
 
-  double leg(CornerId corner) const {
+  [[nodiscard]] double leg(CornerId corner) const {
     return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)));
   }
 
@@ -226,7 +227,7 @@ void number_nodes(const Mesh& mesh, MeshGraph& target) {
 }
 
 std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& target) {
-  const std::vector<double> of_triangle = triangle_areas(mesh, edges);
+  const std::vector<double> of_triangle = triangle_areas(mesh, duplicate_triangles(mesh, edges));
   const std::vector<double> of_vertex = vertex_areas(mesh, of_triangle);
   std::vector<double> masses;
   masses.reserve(target.input_id.size());

@@ -42,12 +42,12 @@ std::vector<TriangleId> duplicate_triangles(const Mesh& mesh, const MeshEdges& e
   return found;
 }
 
-std::vector<double> triangle_areas(const Mesh& mesh, const MeshEdges& edges) {
+std::vector<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates) {
   std::vector<double> areas(mesh.triangle_count());
   for (std::size_t t = 0; t < areas.size(); ++t) {
     areas[t] = has_three_vertices(mesh.triangles[t]) ? area(mesh, mesh.triangles[t]) : 0;
   }
-  for (const TriangleId t : duplicate_triangles(mesh, edges)) areas[t] = 0;
+  for (const TriangleId t : duplicates) areas[t] = 0;
   return areas;
 }
 

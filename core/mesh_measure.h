@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/mesh.h"
@@ -10,9 +11,9 @@ namespace geolloyd {
 /// Triangles with the same three vertices as an earlier one, ascending.
 std::vector<TriangleId> duplicate_triangles(const Mesh& mesh, const MeshEdges& edges);
 
-/// Area of each triangle, square mesh units. Duplicates count once, so theirs is 0, as is that of
+/// Area of each triangle, square mesh units; 0 for `duplicates`, so that they count once, and for
 /// triangles naming a vertex twice.
-std::vector<double> triangle_areas(const Mesh& mesh, const MeshEdges& edges);
+std::vector<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates);
 
 /// A third of the area of the triangles around each vertex. Sums to the surface's area.
 std::vector<double> vertex_areas(const Mesh& mesh, const std::vector<double>& triangle_area);

@@ -32,9 +32,9 @@ class ReferenceEngine final : public Engine {
     add_scores(graph_, partition_.key, settled_, region_score_);
   }
 
-  std::span<const Score> region_scores() const override { return region_score_; }
+  [[nodiscard]] std::span<const Score> region_scores() const override { return region_score_; }
 
-  std::uint64_t state_digest(std::span<const NodeId> seeds) const override {
+  [[nodiscard]] std::uint64_t state_digest(std::span<const NodeId> seeds) const override {
     return digest(seeds, partition_);
   }
 
@@ -67,8 +67,8 @@ class ReferenceEngine final : public Engine {
     }
   }
 
-  const Partition& current() const override { return partition_; }
-  const KernelSeconds& seconds() const override { return seconds_; }
+  [[nodiscard]] const Partition& current() const override { return partition_; }
+  [[nodiscard]] const KernelSeconds& seconds() const override { return seconds_; }
 
  private:
   void search(std::span<const NodeId> seeds, std::span<const RegionId> searched) {

@@ -88,7 +88,7 @@ class SeedChooser {
     std::vector<Entry> entries;
     entries.reserve(nodes.size());
     for (const NodeId v : nodes) entries.emplace_back(search_.distance(v), ~v);
-    std::priority_queue farthest(std::less<Entry>(), std::move(entries));
+    std::priority_queue farthest(std::less<>(), std::move(entries));
     for (--count; count > 0;) {
       const auto [distance, complement] = farthest.top();
       const NodeId v = ~complement;
@@ -106,7 +106,8 @@ class SeedChooser {
   void choose_plus_plus(std::span<const NodeId> nodes, std::size_t count) {
     const auto update = [this](NodeId v) {
       const std::uint64_t distance = search_.distance(v);
-      sampler_.set(v, Uint128{distance * distance} * graph_.mass[v]);
+      const std::uint64_t squared = distance * distance;
+      sampler_.set(v, Uint128{squared} * graph_.mass[v]);
     };
     choose_by_area(nodes, 1);
     search_.add(chosen_.back(), update);

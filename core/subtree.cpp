@@ -1,5 +1,7 @@
 #include "core/subtree.h"
 
+#include <ranges>
+
 namespace geolloyd {
 
 void sum_subtrees(const Graph& graph, const Partition& partition, std::span<const NodeId> nodes,
@@ -8,11 +10,11 @@ void sum_subtrees(const Graph& graph, const Partition& partition, std::span<cons
     sums.cost[v] = distance_of(partition.key[v]);
     sums.mass[v] = graph.mass[v];
   }
-  for (auto v = nodes.rbegin(); v != nodes.rend(); ++v) {
-    const NodeId parent = partition.parent[*v];
+  for (const NodeId v : nodes | std::views::reverse) {
+    const NodeId parent = partition.parent[v];
     if (parent == no_id) continue;
-    sums.cost[parent] += sums.cost[*v];
-    sums.mass[parent] += sums.mass[*v];
+    sums.cost[parent] += sums.cost[v];
+    sums.mass[parent] += sums.mass[v];
   }
 }
 

@@ -187,9 +187,13 @@ TEST_F(Program, StretchesRegionsAlongAField) {
   std::string field = "k1 k2 k1v_x k1v_y k1v_z k2v_x k2v_y k2v_z\n";
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) field += "3 1 1 0 0 0 1 0\n";
   mesh_ = plane;
-  ASSERT_EQ(relax("--seeds 100 --vfield " + folder_.write("f.vfield", field).string()).status, 0);
+  ASSERT_EQ(
+      relax("--seeds 100 -g vertex-dense --vfield " + folder_.write("f.vfield", field).string())
+          .status,
+      0);
 
-  // Second moments of the regions about their means, by axis: 3 to 1 across the field.
+  // Second moments of the regions about their means, by axis. In the plane itself it would be 3 to
+  // 1; the graph's zigzags cost more across the field than along it.
   std::vector<std::array<double, 5>> sums(100);
   const auto lines = lines_of(out() / "regions.csv");
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -208,12 +212,13 @@ TEST_F(Program, StretchesRegionsAlongAField) {
     along += s[3] - s[1] * s[1] / s[0];
     across += s[4] - s[2] * s[2] / s[0];
   }
-  EXPECT_NEAR(std::sqrt(across / along), 3, 0.45);
+  EXPECT_GT(std::sqrt(across / along), 2.3);
+  EXPECT_LT(std::sqrt(across / along), 3.2);
 }
 
 TEST_F(Program, AnswersBadCommandLinesWithOneLine) {
   expect_complaint(geolloyd_with(""), "A subcommand is required");
-  expect_complaint(geolloyd_with("frobnicate"), "frobnicate");
+  expect_complaint(geolloyd_with("frobnicate"), "see geolloyd --help");
   expect_complaint(relax(""), "how many regions? Give --seeds N");
   expect_complaint(relax("--seeds 0"), "--seeds");
   expect_complaint(relax("--seeds -4"), "--seeds");

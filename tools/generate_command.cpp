@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -8,6 +7,7 @@
 
 #include "core/mesh_io.h"
 #include "core/shapes.h"
+#include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/names.h"
@@ -36,16 +36,17 @@ struct Arguments {
 void add_generate_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("generate", "Make a mesh of a shape");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("SHAPE", arguments->shape, "What to make")
-      ->required()
-      ->check(CLI::IsMember(names_of(shape_names)));
+  one_of(command->add_option("SHAPE", arguments->shape, "What to make")->required(), shape_names);
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->type_name("FILE")
       ->required();
   command
       ->add_option("-t,--triangles", arguments->triangles,
                    "At least so many; the shape's next possible number is made")
+      ->type_name("NUMBER")
       ->capture_default_str();
   command->add_option("--random-seed", arguments->random_seed, "Varies the shape")
+      ->type_name("NUMBER")
       ->capture_default_str();
   command->callback([arguments] {
     const Shape shape = value_of(shape_names, arguments->shape);

@@ -14,7 +14,7 @@ namespace geolloyd {
 void add_info_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Say what a mesh is like");
   const auto path = std::make_shared<std::filesystem::path>();
-  command->add_option("MESH", *path, "PLY, OBJ, OFF or STL file")->required();
+  command->add_option("MESH", *path, "PLY, OBJ, OFF or STL file")->type_name("")->required();
   command->callback([path] {
     const LoadedMesh input = read_mesh(*path);
     fmt::print("{}\n{}", path->string(),

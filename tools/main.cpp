@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "core/errors.h"
 #include "tools/commands.h"
@@ -12,8 +13,8 @@ constexpr int status_error = 1;      // ours to mend
 constexpr int status_bad_input = 2;  // the user's to mend
 constexpr int status_interrupted = 130;
 
-int complain(int status, const char* message) {
-  std::fprintf(stderr, "geolloyd: %s\n", message);
+int complain(int status, const std::string& message) {
+  std::fprintf(stderr, "geolloyd: %s\n", message.c_str());
   return status;
 }
 
@@ -35,7 +36,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     if (asked_for) return program.exit(error);
-    return complain(status_bad_input, error.what());
+    return complain(status_bad_input, std::string(error.what()) + ": see geolloyd --help");
   }
   return 0;
 }

@@ -27,6 +27,7 @@ extern const std::vector<Named<End>> end_names;
 template <class Choice>
 std::vector<std::string> names_of(const std::vector<Named<Choice>>& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto& choice : choices) names.emplace_back(choice.name);
   return names;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "core/components.h"
@@ -8,10 +7,12 @@
 #include "core/reference_engine.h"
 #include "core/seed_file.h"
 #include "core/seeds.h"
+#include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
 #include "tools/names.h"
+#include "tools/picture.h"
 #include "tools/progress.h"
 #include "tools/relax_output.h"
 #include "tools/report.h"
@@ -21,61 +22,68 @@ namespace geolloyd {
 namespace {
 
 void add_seed_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("-k,--seeds", a.seeds, "Number of seeds, one per region")
-      ->check(CLI::PositiveNumber)
-      ->group("Seeds");
+  const char* group = "Seeds";
+  command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions")
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+      ->type_name("NUMBER")
+      ->group(group);
   command
       .add_option("--seeds-file", a.seeds_file,
-                  "Start from these seeds instead: an input id or three coordinates a line, or the "
-                  "seeds.csv of another run")
-      ->group("Seeds");
-  command.add_option("--init", a.init, "How to choose the first seeds")
-      ->check(CLI::IsMember(names_of(seed_init_names)))
+                  "Start from these seeds instead: an input id or three coordinates\n"
+                  "a line, or the seeds.csv of another run")
+      ->type_name("FILE")
+      ->group(group);
+  one_of(command.add_option("--init", a.init, "How to choose the first seeds"), seed_init_names)
       ->capture_default_str()
-      ->group("Seeds");
+      ->group(group);
   command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds")
+      ->type_name("NUMBER")
       ->capture_default_str()
-      ->group("Seeds");
+      ->group(group);
 }
 
 void add_graph_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("-g,--graph", a.graph, "What the nodes are, and how densely joined")
-      ->check(CLI::IsMember(names_of(graph_kind_names)))
+  const char* group = "Graph";
+  one_of(command.add_option("-g,--graph", a.graph,
+                            "What the nodes are, and how densely they are joined"),
+         graph_kind_names)
       ->capture_default_str()
-      ->group("Graph");
-  command
-      .add_option("--norm", a.norm,
-                  "How displacements are measured; manhattan and linf along the tangent field, or "
-                  "without one along the axes of the coordinates")
-      ->check(CLI::IsMember(names_of(norm_names)))
+      ->group(group);
+  one_of(command.add_option("--norm", a.norm,
+                            "How displacements are measured: manhattan and linf along the\n"
+                            "tangent field or, without one, along the axes of the coordinates"),
+         norm_names)
       ->capture_default_str()
-      ->group("Graph");
+      ->group(group);
   command
       .add_option("--vfield", a.vfield,
-                  "Tangent field for an anisotropic metric: k1 k2, then two vectors per vertex")
-      ->group("Graph");
+                  "Tangent field for an anisotropic metric: after a line of column\n"
+                  "names k1, k2 and two vectors per vertex")
+      ->type_name("FILE")
+      ->group(group);
 }
 
 void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours")
-      ->check(CLI::IsMember(names_of(greedy_mode_names)))
+  const char* group = "Relaxation";
+  one_of(
+      command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours"),
+      greedy_mode_names)
       ->capture_default_str()
-      ->group("Relaxation");
+      ->group(group);
   command
       .add_flag("--no-microstep-skip", a.no_microstep_skip,
-                "Search regions again even if their seed stayed (same result, slower)")
-      ->group("Relaxation");
+                "Search regions again even if their seed stayed: slower, same result")
+      ->group(group);
   command
       .add_flag("--no-macrostep-skip", a.no_macrostep_skip,
-                "Move seeds even if their region's score did not change")
-      ->group("Relaxation");
-  command
-      .add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after so many")
-      ->default_str("none")
-      ->group("Relaxation");
-  command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after so many")
-      ->default_str("none")
-      ->group("Relaxation");
+                "Move seeds even if the score of their region did not change")
+      ->group(group);
+  command.add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after these")
+      ->type_name("NUMBER")
+      ->group(group);
+  command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these")
+      ->type_name("NUMBER")
+      ->group(group);
 }
 
 void check_arguments(const RelaxArguments& a) {
@@ -92,12 +100,16 @@ RelaxationOptions relaxation_options(const RelaxArguments& a) {
           a.max_greedy_steps, a.max_macrosteps};
 }
 
-void load(RunRecord& run, MeshEdges& edges) {
+// Edges are arcs to be, so finding them counts as building the graph.
+MeshEdges load(RunRecord& run) {
   const Stopwatch watch;
   run.input = read_mesh(run.arguments.mesh);
-  edges = find_edges(run.input.mesh);
+  const Stopwatch finding;
+  MeshEdges edges = find_edges(run.input.mesh);
+  run.seconds.graph = finding.seconds();
   run.facts = check_mesh(run.input.mesh, edges);
-  run.seconds.load = watch.seconds();
+  run.seconds.load = watch.seconds() - run.seconds.graph;
+  return edges;
 }
 
 void build_graph(RunRecord& run, const MeshEdges& edges) {
@@ -108,7 +120,7 @@ void build_graph(RunRecord& run, const MeshEdges& edges) {
     options.vertex_space = read_tangent_field(a.vfield, run.input.mesh.vertex_count());
   }
   run.mesh_graph = make_mesh_graph(run.input.mesh, edges, options);
-  run.seconds.graph = watch.seconds();
+  run.seconds.graph += watch.seconds();
 }
 
 std::vector<NodeId> first_seeds(RunRecord& run) {
@@ -173,7 +185,7 @@ void print_summary(const RunRecord& run) {
       "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, write {:.2f}; "
       "{:.0f} MB\n",
       "time", s.total, s.load, s.graph, s.seeds, s.relax, s.write,
-      static_cast<double>(peak_memory_bytes()) * 1e-6);
+      static_cast<double>(run.peak_memory_bytes) * 1e-6);
   fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv report.json\n", "written",
              run.arguments.output.string());
 }
@@ -186,8 +198,7 @@ void run_relax(const RelaxArguments& arguments) {
   ProgressLine progress;
   progress.stage("reading " + arguments.mesh.string());
   {
-    MeshEdges edges;
-    load(run, edges);
+    const MeshEdges edges = load(run);
     prepare_output(arguments);
     progress.stage("building the " + arguments.graph + " graph");
     build_graph(run, edges);
@@ -204,7 +215,12 @@ void run_relax(const RelaxArguments& arguments) {
   write_results(run);
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();
+  run.peak_memory_bytes = peak_memory_bytes();
   write_report(run);
+  if (!arguments.picture.empty()) {
+    progress.stage("drawing " + arguments.picture.string());
+    write_picture(arguments.picture, run);
+  }
   progress.clear();
   print_summary(run);
   if (run.relaxation.end == End::interrupted) throw InterruptedExit{};
@@ -216,11 +232,16 @@ void add_relax_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "relax", "Tessellate a mesh: move seeds to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
-  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")->required();
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
   command
       ->add_option("-o,--output", arguments->output,
-                   "Folder for tessellation.ply, seeds.csv, regions.csv and report.json")
+                   "Folder for tessellation.ply, seeds.csv, regions.csv, report.json")
+      ->type_name("FOLDER")
       ->required();
+  command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
+      ->type_name("FILE");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);

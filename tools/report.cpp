@@ -145,7 +145,7 @@ Json make_report(const RunRecord& run) {
   report["seconds"] = {{"load", run.seconds.load},   {"graph", run.seconds.graph},
                        {"seeds", run.seconds.seeds}, {"relax", run.seconds.relax},
                        {"write", run.seconds.write}, {"total", run.seconds.total}};
-  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["peak_memory_bytes"] = run.peak_memory_bytes;
   report["trace"] = trace_part(relaxation);
   return report;
 }

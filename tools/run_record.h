@@ -17,6 +17,7 @@ namespace geolloyd {
 struct RelaxArguments {
   std::filesystem::path mesh;
   std::filesystem::path output;
+  std::filesystem::path picture;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";
@@ -50,6 +51,7 @@ struct RunRecord {
   Relaxation relaxation;
   std::vector<RegionSummary> regions;
   StageSeconds seconds;
+  std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };
 
 /// Energy of a regular hexagonal tiling of the plane with as much area and as many regions.

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "core/mesh_io.h"
 #include "core/subdivide.h"
+#include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/names.h"
@@ -34,13 +34,17 @@ struct Arguments {
 void add_subdivide_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("subdivide", "Make a mesh finer, keeping its surface");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")->required();
-  command
-      ->add_option("-s,--scheme", arguments->schemes,
-                   "midpoint: 4 triangles for each, barycentric: 6; several are done in turn")
-      ->required()
-      ->check(CLI::IsMember(names_of(scheme_names)));
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
+  one_of(command
+             ->add_option("-s,--scheme", arguments->schemes,
+                          "midpoint makes 4 triangles of each, barycentric 6; several are done\n"
+                          "in turn")
+             ->required(),
+         scheme_names);
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->type_name("FILE")
       ->required();
   command->callback([arguments] {
     Mesh mesh = read_mesh(arguments->mesh).mesh;

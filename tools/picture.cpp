@@ -1,0 +1,222 @@
+#include "tools/picture.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/file_writer.h"
+#include "tools/palette.h"
+#include "tools/ray_caster.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr int width = 1280;
+constexpr int samples_per_side = 3;  // of a pixel
+constexpr double margin = 1.04;      // of the picture, around the mesh
+
+/// A parallel projection. The picture's plane goes through the middle of the mesh.
+struct View {
+  Vec3 middle;
+  Vec3 right;  // unit vectors
+  Vec3 up;
+  Vec3 away;
+  double step;    // side of a sample, mesh units
+  double behind;  // where rays begin
+  int columns;    // of samples
+  int rows;
+
+  explicit View(const Mesh& mesh) {
+    Vec3 low = mesh.positions.front();
+    Vec3 high = low;
+    for (const Vec3& p : mesh.positions) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const Vec3 extent = high - low;
+    std::array<int, 3> axis = {0, 1, 2};
+    std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return extent[a] < extent[b]; });
+    const Vec3 towards =
+        normalized(Vec3::Unit(axis[0]) + 0.45 * Vec3::Unit(axis[2]) + 0.3 * Vec3::Unit(axis[1]));
+    middle = (low + high) / 2;
+    away = -towards;
+    right = normalized(cross(Vec3::Unit(axis[1]), towards));
+    up = cross(towards, right);
+    fit(mesh);
+  }
+
+  // Exactly around the mesh, as seen.
+  void fit(const Mesh& mesh) {
+    Vec3 low(0, 0, 0);
+    Vec3 high(0, 0, 0);
+    for (const Vec3& p : mesh.positions) {
+      const Vec3 seen(dot(p - middle, right), dot(p - middle, up), dot(p - middle, away));
+      low = low.cwiseMin(seen);
+      high = high.cwiseMax(seen);
+    }
+    middle += (low.x() + high.x()) / 2 * right + (low.y() + high.y()) / 2 * up;
+    const Vec3 extent = high - low;
+    const double across = std::max({extent.x(), 0.5 * extent.y(), 1e-3 * extent.z()}) * margin;
+    columns = width * samples_per_side;
+    step = across > 0 ? across / columns : 1;
+    const int pixel_rows =
+        static_cast<int>(std::ceil(extent.y() * margin / step)) / samples_per_side;
+    rows = (pixel_rows + 1) * samples_per_side;
+    behind = high.z() - low.z() + 1000 * step;
+  }
+
+  [[nodiscard]] Vec3 origin(int column, int row) const {
+    return middle + (column + 0.5 - columns / 2.0) * step * right +
+           (rows / 2.0 - row - 0.5) * step * up - behind * away;
+  }
+};
+
+struct Sample {
+  RegionId region = no_id;
+  bool is_hit = false;
+  bool is_dot = false;
+  float light = 0;
+};
+
+class Painter {
+ public:
+  explicit Painter(const RunRecord& run)
+      : run_(run), mesh_(run.input.mesh), view_(mesh_), caster_(mesh_) {
+    const Graph& graph = run.mesh_graph.graph;
+    colour_ = colour_regions(run.regions.size(), adjacent_regions(graph, run.relaxation.partition),
+                             palette_size);
+    const double region_area = run.facts.area / static_cast<double>(run.regions.size());
+    dot_radius_ = 0.13 * std::sqrt(region_area / std::numbers::pi);
+  }
+
+  [[nodiscard]] int height() const { return view_.rows / samples_per_side; }
+
+  // Four bytes a pixel: red, green, blue, opacity.
+  std::vector<std::uint8_t> paint() {
+    samples_.resize(static_cast<std::size_t>(view_.columns) * static_cast<std::size_t>(view_.rows));
+    for (int row = 0; row < view_.rows; ++row) {
+      for (int column = 0; column < view_.columns; ++column) at(column, row) = look(column, row);
+    }
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < height(); ++y) {
+      for (int x = 0; x < width; ++x) {
+        for (const std::uint8_t channel : pixel(x, y)) pixels.push_back(channel);
+      }
+    }
+    return pixels;
+  }
+
+ private:
+  Sample& at(int column, int row) {
+    return samples_[static_cast<std::size_t>(row) * static_cast<std::size_t>(view_.columns) +
+                    static_cast<std::size_t>(column)];
+  }
+
+  [[nodiscard]] Sample look(int column, int row) const {
+    const auto hit = caster_.cast(view_.origin(column, row), view_.away);
+    if (!hit) return {};
+    const Triangle& t = mesh_.triangles[hit->triangle];
+    const std::array<double, 3> weight = {1 - hit->u - hit->v, hit->u, hit->v};
+    Vec3 point(0, 0, 0);
+    for (std::size_t c = 0; c < 3; ++c) point += weight[c] * mesh_.positions[t[c]];
+    const RegionId region = region_at(*hit, weight);
+    const bool is_dot = region != no_id && norm(point - seed_position(region)) < dot_radius_;
+    return {region, true, is_dot, light_on(t)};
+  }
+
+  // Of the triangle, where triangles have regions; else of the nearest corner.
+  [[nodiscard]] RegionId region_at(const RayHit& hit, const std::array<double, 3>& weight) const {
+    const MeshGraph& made = run_.mesh_graph;
+    std::size_t id = made.first_triangle_id + hit.triangle;
+    if (!has_triangles(made.kind)) {
+      const auto nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
+      id = mesh_.triangles[hit.triangle][static_cast<std::size_t>(nearest)];
+    }
+    const NodeId node = made.node_of[id];
+    return node == no_id ? no_id : region_of(run_.relaxation.partition.key[node]);
+  }
+
+  [[nodiscard]] const Vec3& seed_position(RegionId region) const {
+    return run_.mesh_graph.position[run_.regions[region].seed];
+  }
+
+  // From the eye and from above; both sides of the surface alike.
+  [[nodiscard]] float light_on(const Triangle& t) const {
+    const Vec3& a = mesh_.positions[t[0]];
+    Vec3 normal = normalized(cross(mesh_.positions[t[1]] - a, mesh_.positions[t[2]] - a));
+    if (dot(normal, view_.away) > 0) normal = -normal;
+    const double eye = -dot(normal, view_.away);
+    const double above = std::max(0.0, dot(normal, view_.up));
+    return static_cast<float>(std::min(1.0, 0.35 + 0.55 * eye + 0.25 * above));
+  }
+
+  [[nodiscard]] bool is_border(int column, int row) {
+    const Sample& here = at(column, row);
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
+      if (column + dx >= view_.columns || row + dy >= view_.rows) continue;
+      const Sample& beside = at(column + dx, row + dy);
+      if (beside.is_hit && beside.region != here.region) return true;
+    }
+    return false;
+  }
+
+  std::array<std::uint8_t, 4> pixel(int x, int y) {
+    std::array<double, 3> sum = {0, 0, 0};
+    int hits = 0;
+    for (int j = 0; j < samples_per_side; ++j) {
+      for (int i = 0; i < samples_per_side; ++i) {
+        const int column = x * samples_per_side + i;
+        const int row = y * samples_per_side + j;
+        const Sample& sample = at(column, row);
+        if (!sample.is_hit) continue;
+        ++hits;
+        const bool is_dark = sample.is_dot || is_border(column, row);
+        const Colour colour =
+            sample.region == no_id ? no_region_colour : palette_colour(colour_[sample.region]);
+        const double light = is_dark ? 0.2 * sample.light : sample.light;
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += light * colour[c];
+      }
+    }
+    std::array<std::uint8_t, 4> result = {0, 0, 0, 0};
+    for (std::size_t c = 0; c < 3 && hits > 0; ++c) {
+      result[c] = static_cast<std::uint8_t>(sum[c] / hits);
+    }
+    result[3] = static_cast<std::uint8_t>(255 * hits / (samples_per_side * samples_per_side));
+    return result;
+  }
+
+  const RunRecord& run_;
+  const Mesh& mesh_;
+  View view_;
+  RayCaster caster_;
+  std::vector<std::uint32_t> colour_;  // per region
+  double dot_radius_;
+  std::vector<Sample> samples_;  // row by row
+};
+
+}  // namespace
+
+void write_picture(const std::filesystem::path& path, const RunRecord& run) {
+  Painter painter(run);
+  const std::vector<std::uint8_t> pixels = painter.paint();
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.format = PNG_FORMAT_RGBA;
+  image.width = width;
+  image.height = static_cast<png_uint_32>(painter.height());
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw IoError(path.string() + ": cannot make the picture: " + std::string(image.message));
+  }
+  FileWriter out(path);
+  out.text({bytes.data(), size});
+  out.commit();
+}
+
+}  // namespace geolloyd
