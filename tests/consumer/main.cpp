@@ -1,18 +1,18 @@
 // The library as its users see it: a mesh in, a tessellation out.
-#include <cstdio>
 #include <geolloyd/core/components.h>
 #include <geolloyd/core/mesh_graph.h>
 #include <geolloyd/core/reference_engine.h>
 #include <geolloyd/core/relaxation.h>
 #include <geolloyd/core/seeds.h>
 #include <geolloyd/core/shapes.h>
+#include <cstdio>
 
 int main() {
   using namespace geolloyd;
   const Mesh mesh = icosphere(2000);
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), {});
-  const auto seeds = choose_seeds(made.graph, connected_components(made.graph),
-                                  SeedInit::farthest, 12, 1);
+  const auto seeds =
+      choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest, 12, 1);
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   std::printf("%zu regions, energy %g\n", result.seeds.size(), result.energy);
