@@ -1,7 +1,5 @@
 #include "core/subtree.h"
 
-#include <ranges>
-
 namespace geolloyd {
 
 void sum_subtrees(const Graph& graph, const Partition& partition, std::span<const NodeId> nodes,
@@ -10,7 +8,8 @@ void sum_subtrees(const Graph& graph, const Partition& partition, std::span<cons
     sums.cost[v] = distance_of(partition.key[v]);
     sums.mass[v] = graph.mass[v];
   }
-  for (const NodeId v : nodes | std::views::reverse) {
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const NodeId v = nodes[i];
     const NodeId parent = partition.parent[v];
     if (parent == no_id) continue;
     sums.cost[parent] += sums.cost[v];

@@ -26,10 +26,10 @@ struct View {
   Vec3 right;  // unit vectors
   Vec3 up;
   Vec3 away;
-  double step;    // side of a sample, mesh units
-  double behind;  // where rays begin
-  int columns;    // of samples
-  int rows;
+  double step = 1;    // side of a sample, mesh units
+  double behind = 0;  // where rays begin
+  int columns = width * samples_per_side;
+  int rows = 0;
 
   explicit View(const Mesh& mesh) {
     Vec3 low = mesh.positions.front();
@@ -62,8 +62,7 @@ struct View {
     middle += (low.x() + high.x()) / 2 * right + (low.y() + high.y()) / 2 * up;
     const Vec3 extent = high - low;
     const double across = std::max({extent.x(), 0.5 * extent.y(), 1e-3 * extent.z()}) * margin;
-    columns = width * samples_per_side;
-    step = across > 0 ? across / columns : 1;
+    if (across > 0) step = across / columns;
     const int pixel_rows =
         static_cast<int>(std::ceil(extent.y() * margin / step)) / samples_per_side;
     rows = (pixel_rows + 1) * samples_per_side;

@@ -53,7 +53,7 @@ struct RayCaster::Scene {
 #if RTC_VERSION_MAJOR >= 4
     rtcIntersect1(scene, &ray);
 #else
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene, &context, &ray);
 #endif
