@@ -256,7 +256,7 @@ TEST_F(Program, AnswersUnwritableOutputWithOneLineBeforeTheWork) {
   expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file), file);
   expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file + "/deeper"),
                    "cannot make folder");
-  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o /proc/nowhere"),
+  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o /dev/null/deeper"),
                    "cannot make folder");
   expect_complaint(geolloyd_with("generate torus -o " + file + "/a.ply"), "cannot write");
   expect_complaint(geolloyd_with("generate torus -o " + file + ".xyz"), ".xyz");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "core/energy.h"
@@ -22,6 +23,10 @@ struct OriginalRun {
   double before;  // energy of the original program
   double after;
   double tolerance;  // relative, of the energy after
+
+  friend std::ostream& operator<<(std::ostream& out, const OriginalRun& run) {
+    return out << run.mesh << " from " << run.seeds;
+  }
 };
 
 class Thesis : public testing::TestWithParam<OriginalRun> {};

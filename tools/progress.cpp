@@ -1,6 +1,7 @@
 #include "tools/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -9,7 +10,7 @@ namespace geolloyd {
 namespace {
 
 constexpr double seconds_between_updates = 0.1;
-constexpr std::size_t bar_width = 24;
+constexpr std::size_t bar_width = 12;
 
 // The share of seeds at rest: it does not rise steadily, but it ends full.
 std::string bar(std::size_t moving, std::size_t seeds) {
@@ -28,12 +29,10 @@ void ProgressLine::stage(const std::string& what) {
 void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
   if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return;
   last_shown_ = watch_.seconds();
-  const std::string step =
-      progress.phase == Phase::greedy
-          ? fmt::format("greedy   step {:<9}", progress.step)
-          : fmt::format("precise  step {:<9}",
-                        fmt::format("{}.{}", progress.step, progress.microstep));
-  print(fmt::format("{} [{}] {:>6} of {} seeds moving   energy {:.6g}   {:.0f} s", step,
+  const bool greedy = progress.phase == Phase::greedy;
+  const std::string step = greedy ? fmt::format("greedy {}", progress.step)
+                                  : fmt::format("precise {}.{}", progress.step, progress.microstep);
+  print(fmt::format("{:<14} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s", step,
                     bar(progress.seeds_moved, seed_count), progress.seeds_moved, seed_count,
                     progress.energy, watch_.seconds()));
 }
@@ -45,7 +44,10 @@ void ProgressLine::clear() {
 
 void ProgressLine::print(const std::string& text) {
   if (!on_terminal_) return;
-  std::fputs(("\r\033[K" + text).c_str(), stderr);
+  // A line that wraps could not be taken back.
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  std::fputs(("\r\033[K" + text.substr(0, known ? size.ws_col - 1U : 79U)).c_str(), stderr);
   std::fflush(stderr);
   printed_ = true;
 }

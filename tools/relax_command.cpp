@@ -188,6 +188,9 @@ void print_summary(const RunRecord& run) {
       static_cast<double>(run.peak_memory_bytes) * 1e-6);
   fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv report.json\n", "written",
              run.arguments.output.string());
+  if (!run.arguments.picture.empty()) {
+    fmt::print("  {:<12}{}\n", "", run.arguments.picture.string());
+  }
 }
 
 void run_relax(const RelaxArguments& arguments) {
