@@ -3,6 +3,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/bounding_box.h"
 #include "core/mesh_measure.h"
 
 namespace geolloyd {
@@ -101,7 +102,7 @@ MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges) {
       static_cast<std::int64_t>(facts.vertices - facts.unreferenced_vertices) -
       static_cast<std::int64_t>(facts.edges) +
       static_cast<std::int64_t>(facts.triangles - facts.repeated_vertex_triangles);
-  facts.bounding_diagonal = bounding_diagonal(mesh);
+  facts.bounding_diagonal = norm(bounding_box(mesh.positions).extent());
   return facts;
 }
 

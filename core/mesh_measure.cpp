@@ -64,15 +64,4 @@ Vec3 barycentre(const Mesh& mesh, TriangleId triangle) {
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
 }
 
-double bounding_diagonal(const Mesh& mesh) {
-  if (mesh.positions.empty()) return 0;
-  Vec3 low = mesh.positions.front();
-  Vec3 high = low;
-  for (const Vec3& p : mesh.positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return norm(high - low);
-}
-
 }  // namespace geolloyd

@@ -21,7 +21,4 @@ std::vector<double> vertex_areas(const Mesh& mesh, const std::vector<double>& tr
 /// Mean of the three corners.
 Vec3 barycentre(const Mesh& mesh, TriangleId triangle);
 
-/// Length of the diagonal of the box around all vertices; 0 without any.
-double bounding_diagonal(const Mesh& mesh);
-
 }  // namespace geolloyd

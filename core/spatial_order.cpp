@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/bounding_box.h"
+
 namespace geolloyd {
 namespace {
 
@@ -27,20 +29,14 @@ std::uint64_t morton_code(const Vec3& p, const Vec3& low, double extent) {
 }  // namespace
 
 std::vector<std::uint32_t> spatial_order(std::span<const Vec3> positions) {
-  if (positions.empty()) return {};
-  Vec3 low = positions.front();
-  Vec3 high = low;
-  for (const Vec3& p : positions) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double widest = (high - low).maxCoeff();
+  const BoundingBox box = bounding_box(positions);
+  const double widest = box.extent().maxCoeff();
   const double extent = widest > 0 ? widest : 1;
 
   std::vector<std::pair<std::uint64_t, std::uint32_t>> codes;
   codes.reserve(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    codes.emplace_back(morton_code(positions[i], low, extent), i);
+    codes.emplace_back(morton_code(positions[i], box.low, extent), i);
   }
   std::sort(codes.begin(), codes.end());
 

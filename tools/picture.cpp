@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/bounding_box.h"
 #include "core/errors.h"
 #include "core/file_writer.h"
 #include "tools/palette.h"
@@ -32,18 +33,13 @@ struct View {
   int rows = 0;
 
   explicit View(const Mesh& mesh) {
-    Vec3 low = mesh.positions.front();
-    Vec3 high = low;
-    for (const Vec3& p : mesh.positions) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    const Vec3 extent = high - low;
+    const BoundingBox box = bounding_box(mesh.positions);
+    const Vec3 extent = box.extent();
     std::array<int, 3> axis = {0, 1, 2};
     std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return extent[a] < extent[b]; });
     const Vec3 towards =
         normalized(Vec3::Unit(axis[0]) + 0.45 * Vec3::Unit(axis[2]) + 0.3 * Vec3::Unit(axis[1]));
-    middle = (low + high) / 2;
+    middle = box.middle();
     away = -towards;
     right = normalized(cross(Vec3::Unit(axis[1]), towards));
     up = cross(towards, right);
@@ -52,21 +48,20 @@ struct View {
 
   // Exactly around the mesh, as seen.
   void fit(const Mesh& mesh) {
-    Vec3 low(0, 0, 0);
-    Vec3 high(0, 0, 0);
+    std::vector<Vec3> seen;
+    seen.reserve(mesh.vertex_count());
     for (const Vec3& p : mesh.positions) {
-      const Vec3 seen(dot(p - middle, right), dot(p - middle, up), dot(p - middle, away));
-      low = low.cwiseMin(seen);
-      high = high.cwiseMax(seen);
+      seen.emplace_back(dot(p - middle, right), dot(p - middle, up), dot(p - middle, away));
     }
-    middle += (low.x() + high.x()) / 2 * right + (low.y() + high.y()) / 2 * up;
-    const Vec3 extent = high - low;
+    const BoundingBox box = bounding_box(seen);
+    const Vec3 extent = box.extent();
+    middle += box.middle().x() * right + box.middle().y() * up;
     const double across = std::max({extent.x(), 0.5 * extent.y(), 1e-3 * extent.z()}) * margin;
     if (across > 0) step = across / columns;
     const int pixel_rows =
         static_cast<int>(std::ceil(extent.y() * margin / step)) / samples_per_side;
     rows = (pixel_rows + 1) * samples_per_side;
-    behind = high.z() - low.z() + 1000 * step;
+    behind = extent.z() + 1000 * step;
   }
 
   [[nodiscard]] Vec3 origin(int column, int row) const {
