@@ -22,14 +22,19 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
+std::string counted(std::uint64_t number, const char* singular, const char* plural) {
+  return grouped(number) + " " + (number == 1 ? singular : plural);
+}
+
 std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
   std::string text = fmt::format(
-      "  {:<12}{}: {} vertices, {} edges, {} triangles\n"
-      "  {:<12}{} component{}, Euler characteristic {}, {}, area {:.6g}, diagonal {:.6g}\n",
-      "mesh", input.format, grouped(facts.vertices), grouped(facts.edges), grouped(facts.triangles),
-      "", grouped(facts.components), facts.components == 1 ? "" : "s", facts.euler_characteristic,
-      facts.boundary_edges == 0 ? std::string("closed")
-                                : grouped(facts.boundary_edges) + " boundary edges",
+      "  {:<12}{}: {}, {}, {}\n"
+      "  {:<12}{}, Euler characteristic {}, {}, area {:.6g}, diagonal {:.6g}\n",
+      "mesh", input.format, counted(facts.vertices, "vertex", "vertices"),
+      counted(facts.edges, "edge", "edges"), counted(facts.triangles, "triangle", "triangles"), "",
+      counted(facts.components, "component", "components"), facts.euler_characteristic,
+      facts.boundary_edges == 0 ? "closed"
+                                : counted(facts.boundary_edges, "boundary edge", "boundary edges"),
       facts.area, facts.bounding_diagonal);
   text += finding(input.polygon_count, "polygons: split into triangles");
   text += finding(input.welded_corners, "repeated corners: welded");

@@ -13,4 +13,7 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts);
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 
+/// "1 edge", "2,000 edges".
+std::string counted(std::uint64_t number, const char* singular, const char* plural);
+
 }  // namespace geolloyd

@@ -168,18 +168,24 @@ void print_summary(const RunRecord& run) {
   const StepCounts steps = count_steps(result);
   const Graph& graph = run.mesh_graph.graph;
   const double initial = result.steps.empty() ? result.energy : result.steps.front().energy;
+  const double hexagonal = hexagonal_energy(run);
   const StageSeconds& s = run.seconds;
   fmt::print("{}\n{}", run.arguments.mesh.string(), describe(run.input, run.facts));
-  fmt::print("  {:<12}{}: {} nodes, {} arcs, {} component{}\n", "graph", run.arguments.graph,
-             grouped(graph.node_count()), grouped(graph.arc_count()), grouped(run.components),
-             run.components == 1 ? "" : "s");
+  fmt::print("  {:<12}{}: {}, {}, {}\n", "graph", run.arguments.graph,
+             counted(graph.node_count(), "node", "nodes"),
+             counted(graph.arc_count(), "arc", "arcs"),
+             counted(run.components, "component", "components"));
   fmt::print(
       "  {:<12}{} from {}\n", "seeds", grouped(run.regions.size()),
       run.arguments.seeds_file.empty() ? run.arguments.init : run.arguments.seeds_file.string());
-  fmt::print("  {:<12}{} after {} greedy steps, {} macrosteps of {} microsteps\n", "relaxation",
-             describe(result.end), steps.greedy, steps.macro, steps.micro);
-  fmt::print("  {:<12}{:.8g} -> {:.8g}, {:.4f} of a regular hexagonal tiling\n", "energy", initial,
-             result.energy, result.energy / hexagonal_energy(run));
+  fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(result.end),
+             counted(steps.greedy, "greedy step", "greedy steps"),
+             counted(steps.macro, "macrostep", "macrosteps"),
+             counted(steps.micro, "microstep", "microsteps"));
+  fmt::print("  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial, result.energy,
+             hexagonal > 0
+                 ? fmt::format(", {:.4f} of a regular hexagonal tiling", result.energy / hexagonal)
+                 : "");
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
   fmt::print(
       "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, write {:.2f}; "

@@ -145,12 +145,16 @@ void prepare_output(const RelaxArguments& arguments) {
   std::error_code error;
   std::filesystem::create_directories(arguments.output, error);
   if (error) throw IoError(arguments.output.string() + ": cannot make folder: " + error.message());
-  const OutputFile probe(arguments.output / "report.json");
-  for (const char* name : result_names) {
+
+  std::vector<std::filesystem::path> results;
+  for (const char* name : result_names) results.push_back(arguments.output / name);
+  if (!arguments.picture.empty()) results.push_back(arguments.picture);
+  for (const std::filesystem::path& result : results) {
+    const OutputFile probe(result);
     for (const auto& input : {arguments.mesh, arguments.vfield}) {
-      if (std::filesystem::equivalent(arguments.output / name, input, error)) {
+      if (std::filesystem::equivalent(result, input, error)) {
         throw InvalidInput(input.string() +
-                           ": is an input and would be overwritten: choose another --output");
+                           ": is an input and would be overwritten: write somewhere else");
       }
     }
   }

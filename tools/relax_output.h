@@ -6,8 +6,8 @@
 
 namespace geolloyd {
 
-/// Makes the folder and makes sure that files can be written there, before hours of work depend on
-/// it, and that none of them is one of the run's own inputs. Throws Error.
+/// Makes the folder and makes sure that the results and the picture can be written, before hours of
+/// work depend on it, and that none of them would replace the mesh or the field. Throws Error.
 void prepare_output(const RelaxArguments& arguments);
 
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
