@@ -13,7 +13,7 @@
 // The animal is drawn in blocks. Smoothed, their occupancy is a field whose iso-surface is the
 // skin. The blocks' own surface, drawn taut on the skin, becomes a coarse cage of even triangles;
 // the mesh is that cage refined and put back on the skin. So its topology is that of the blocks,
-// and every vertex costs the same few evaluations. Last, the seed bends the whole.
+// and every vertex costs the same few evaluations. Last, the random seed bends the whole.
 
 namespace geolloyd {
 namespace {

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "core/graph.h"
 #include "core/partition.h"
-#include "core/seed_move.h"
 
 namespace geolloyd {
+
+/// Sum over a region of distance^2 * mass, in ticks; below 2^124.
+using Score = Uint128;
+/// Of a node that has not been the seed since scores were last forgotten.
+inline constexpr Score never_scored = std::numeric_limits<Score>::max();
 
 /// Adds distance^2 * mass of each of `nodes` to the score of its region. Exact; order is free.
 inline void add_scores(const Graph& graph, const std::vector<Key>& keys,

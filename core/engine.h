@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/energy.h"
 #include "core/partition.h"
-#include "core/seed_move.h"
 
 namespace geolloyd {
 

@@ -103,19 +103,24 @@ Depth tree_depth(const Rows& rows) {
   return deepest;
 }
 
+constexpr double most_length_ticks = 0x1p30;
+
 // Rounding may add a tick to every arc of the path, and the depth itself was summed with rounding:
-// the ticks put aside for both are lost in 2^31.
+// the ticks put aside for both are lost in 2^30.
 double choose_tick_length(const Rows& rows) {
   const Depth depth = tree_depth(rows);
   if (depth.length == 0) return 1;
-  constexpr double most_ticks = 0x1p31 - 1;
-  const double budget = most_ticks - 2 * static_cast<double>(depth.arcs) - 64;
+  const double budget = most_length_ticks - 2 * static_cast<double>(depth.arcs) - 64;
+  if (budget < most_length_ticks / 2) {
+    throw InvalidInput("a path of the graph has " + std::to_string(depth.arcs) +
+                       " arcs, too many for exact distances: use a coarser mesh");
+  }
   return std::max(2 * depth.length / budget, std::numeric_limits<double>::min());
 }
 
-// An arc longer than every shortest path is never used, so its length may be cut to fit.
+// An arc longer than every shortest path is on none, so its length may be cut to fit.
 std::uint32_t to_length_ticks(double length, double tick) {
-  return static_cast<std::uint32_t>(std::clamp(std::round(length / tick), 1.0, 0x1p31 - 1));
+  return static_cast<std::uint32_t>(std::clamp(std::round(length / tick), 1.0, most_length_ticks));
 }
 
 void quantise_masses(std::span<const double> masses, Graph& graph) {

@@ -1,5 +1,6 @@
 #include "core/mesh_check.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -72,15 +73,12 @@ void count_zero_length_edges(const Mesh& mesh, const MeshEdges& edges, MeshFacts
 
 void count_vertices(const Mesh& mesh, const MeshEdges& edges, MeshFacts& facts) {
   facts.vertices = mesh.vertex_count();
-  std::vector<bool> referenced(mesh.vertex_count(), false);
   Sets sets(mesh.vertex_count());
   std::size_t unions = 0;
-  for (const auto& [a, b] : edges.ends) {
-    referenced[a] = referenced[b] = true;
-    if (sets.unite(a, b)) ++unions;
-  }
-  std::size_t used = 0;
-  for (const bool r : referenced) used += r ? 1 : 0;
+  for (const auto& [a, b] : edges.ends) unions += sets.unite(a, b) ? 1 : 0;
+  const std::vector<bool> referenced = referenced_vertices(mesh);
+  const auto used =
+      static_cast<std::size_t>(std::count(referenced.begin(), referenced.end(), true));
   facts.unreferenced_vertices = mesh.vertex_count() - used;
   facts.components = used - unions;
 }

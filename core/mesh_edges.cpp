@@ -1,6 +1,7 @@
 #include "core/mesh_edges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geolloyd {
 namespace {
@@ -12,16 +13,9 @@ struct Buckets {
   std::vector<std::uint64_t> entry;
 };
 
-template <class Visit>
-void for_each_corner(const Mesh& mesh, Visit&& visit) {
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!has_three_vertices(mesh.triangles[t])) continue;
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const auto corner = static_cast<CornerId>(3 * t + c);
-      const auto [low, high] = std::minmax({edge_start(mesh, corner), edge_end(mesh, corner)});
-      visit(corner, low, high);
-    }
-  }
+// The ends of the edge opposite to a corner, the smaller first.
+std::pair<VertexId, VertexId> sorted_ends(const Mesh& mesh, CornerId corner) {
+  return std::minmax({edge_start(mesh, corner), edge_end(mesh, corner)});
 }
 
 // A vertex has some six edges: insertion beats a library sort by the cost of its call.
@@ -42,12 +36,14 @@ void sort_bucket(std::span<std::uint64_t> bucket) {
 Buckets sort_corners(const Mesh& mesh) {
   Buckets buckets;
   buckets.first.assign(mesh.vertex_count() + 1, 0);
-  for_each_corner(mesh, [&](CornerId, VertexId low, VertexId) { ++buckets.first[low + 1]; });
+  for_each_corner(mesh,
+                  [&](CornerId corner) { ++buckets.first[sorted_ends(mesh, corner).first + 1]; });
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) buckets.first[v + 1] += buckets.first[v];
 
   buckets.entry.resize(buckets.first.back());
   std::vector<std::uint32_t> next(buckets.first.begin(), buckets.first.end() - 1);
-  for_each_corner(mesh, [&](CornerId corner, VertexId low, VertexId high) {
+  for_each_corner(mesh, [&](CornerId corner) {
+    const auto [low, high] = sorted_ends(mesh, corner);
     buckets.entry[next[low]++] = (std::uint64_t{high} << 32) | corner;
   });
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {

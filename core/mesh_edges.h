@@ -26,6 +26,22 @@ inline VertexId edge_end(const Mesh& mesh, CornerId corner) {
   return mesh.triangles[corner / 3][(corner + 2) % 3];
 }
 
+/// Calls `visit` with each corner of the triangles that have three vertices, ascending.
+template <class Visit>
+void for_each_corner(const Mesh& mesh, Visit&& visit) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!has_three_vertices(mesh.triangles[t])) continue;
+    for (std::uint32_t c = 0; c < 3; ++c) visit(static_cast<CornerId>(3 * t + c));
+  }
+}
+
+/// Per vertex, whether it is a corner of such a triangle.
+inline std::vector<bool> referenced_vertices(const Mesh& mesh) {
+  std::vector<bool> referenced(mesh.vertex_count(), false);
+  for_each_corner(mesh, [&](CornerId corner) { referenced[apex(mesh, corner)] = true; });
+  return referenced;
+}
+
 /// The undirected edges of a mesh, each once, with the corners (one per incident triangle) opposite
 /// to it. Boundary edges have one corner, manifold inner edges two, others are non-manifold.
 struct MeshEdges {

@@ -129,13 +129,13 @@ class LinkBuilder {
 
   void find_fans() {
     first_in_fan_.assign(mesh_.vertex_count() + 1, 0);
-    for_each_usable_corner([&](CornerId corner) { ++first_in_fan_[apex(mesh_, corner) + 1]; });
+    for_each_corner(mesh_, [&](CornerId corner) { ++first_in_fan_[apex(mesh_, corner) + 1]; });
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       first_in_fan_[v + 1] += first_in_fan_[v];
     }
     fan_.resize(first_in_fan_.back());
     std::vector<std::uint32_t> next(first_in_fan_.begin(), first_in_fan_.end() - 1);
-    for_each_usable_corner([&](CornerId corner) { fan_[next[apex(mesh_, corner)]++] = corner; });
+    for_each_corner(mesh_, [&](CornerId corner) { fan_[next[apex(mesh_, corner)]++] = corner; });
   }
 
   void link_fans() {
@@ -156,18 +156,10 @@ class LinkBuilder {
   }
 
   void link_corners() {
-    for_each_usable_corner([&](CornerId corner) {
+    for_each_corner(mesh_, [&](CornerId corner) {
       const NodeId node = target_.node_of[target_.first_triangle_id + triangle_of(corner)];
       links_.push_back({node, target_.node_of[apex(mesh_, corner)], leg(corner)});
     });
-  }
-
-  template <class Visit>
-  void for_each_usable_corner(Visit&& visit) const {
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (!has_three_vertices(mesh_.triangles[t])) continue;
-      for (std::uint32_t c = 0; c < 3; ++c) visit(static_cast<CornerId>(3 * t + c));
-    }
   }
 
   const Mesh& mesh_;
@@ -183,11 +175,7 @@ class LinkBuilder {
 std::vector<std::uint32_t> used_input_ids(const Mesh& mesh, const MeshGraph& target) {
   std::vector<std::uint32_t> used;
   if (has_vertices(target.kind)) {
-    std::vector<bool> referenced(mesh.vertex_count(), false);
-    for (const Triangle& t : mesh.triangles) {
-      if (!has_three_vertices(t)) continue;
-      for (const VertexId v : t) referenced[v] = true;
-    }
+    const std::vector<bool> referenced = referenced_vertices(mesh);
     for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
       if (referenced[v]) used.push_back(v);
     }

@@ -1,5 +1,6 @@
 #include "core/mesh_io.h"
 
+#include "core/bounding_box.h"
 #include "core/errors.h"
 #include "core/file_io.h"
 #include "core/mesh_readers.h"
@@ -37,6 +38,14 @@ void check_size(const Mesh& mesh, std::size_t file_size, const std::string& name
   }
 }
 
+// Areas are square roots of fourth powers: on a smaller mesh they would all vanish.
+void check_extent(const Mesh& mesh, const std::string& name) {
+  const double widest = bounding_box(mesh.positions).extent().maxCoeff();
+  if (widest > 0 && widest < 1 / largest_coordinate) {
+    throw InvalidInput(name + ": the mesh is smaller than 1e-75; scale it up");
+  }
+}
+
 }  // namespace
 
 LoadedMesh read_mesh(const std::filesystem::path& path) {
@@ -46,14 +55,12 @@ LoadedMesh read_mesh(const std::filesystem::path& path) {
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
   LoadedMesh loaded = read(format, bytes, name);
   check_size(loaded.mesh, bytes.size(), name);
+  check_extent(loaded.mesh, name);
   return loaded;
 }
 
 MeshFormat format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "core/mesh.h"
@@ -23,12 +26,20 @@ struct LoadedMesh {
 /// line or byte offset. Never takes memory that the size of the file does not warrant.
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. Coordinates
-/// are written in full in OBJ and OFF, as float32 in PLY and STL. The file appears whole or not at
-/// all.
+/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. No
+/// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
+/// STL, which knows float32 only. The file appears whole or not at all.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
-/// Coordinates beyond this are refused: the fourth power, an area squared, must not overflow.
-inline constexpr double largest_coordinate = 1e75;
+/// What a part of a mesh belongs to, and a colour that shows it.
+struct Label {
+  std::array<std::uint8_t, 3> colour;  ///< red, green, blue
+  std::int32_t region;                 ///< -1: none
+};
+
+/// PLY as write_mesh does, with the properties red, green, blue and region for each vertex, or for
+/// each triangle, or for both; an empty span is left out.
+void write_labelled_ply(const std::filesystem::path& path, const Mesh& mesh,
+                        std::span<const Label> vertex_label, std::span<const Label> triangle_label);
 
 }  // namespace geolloyd

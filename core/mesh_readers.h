@@ -36,11 +36,6 @@ LoadedMesh read_stl(std::string_view bytes, std::string_view name);
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t offset,
                                const std::string& message);
 
-/// False also where it is not a number.
-inline bool is_usable(double coordinate) {
-  return std::abs(coordinate) <= largest_coordinate;
-}
-
 // What is wrong with a coordinate that is not usable, a face, an index.
 std::string bad_coordinate(double coordinate);
 std::string bad_corner_count(std::int64_t count);

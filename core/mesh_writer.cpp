@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "core/errors.h"
 #include "core/file_writer.h"
@@ -9,27 +12,63 @@ namespace geolloyd {
 namespace {
 
 // As three float32.
-void write_position(FileWriter& out, const Vec3& position) {
-  for (const double coordinate : position) {
-    if (!(std::abs(coordinate) <= std::numeric_limits<float>::max())) {
-      throw InvalidInput(out.path().string() +
-                         ": a coordinate is too large for the 32 bits of this format; write OBJ or "
-                         "OFF");
-    }
-    out.raw(static_cast<float>(coordinate));
-  }
+void write_floats(FileWriter& out, const Vec3& position) {
+  for (const double coordinate : position) out.raw(static_cast<float>(coordinate));
 }
 
-void write_ply(FileWriter& out, const Mesh& mesh) {
-  out.text("ply\nformat binary_little_endian 1.0\nelement vertex ");
+// Told by its bits: compilers may take a cast to float and back for nothing.
+bool is_float(double x) {
+  constexpr std::uint64_t beyond_float = (std::uint64_t{1} << 29) - 1;
+  const double size = std::abs(x);
+  return x == 0 ||
+         ((std::bit_cast<std::uint64_t>(x) & beyond_float) == 0 &&
+          size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max());
+}
+
+bool are_floats(const std::vector<Vec3>& positions) {
+  return std::all_of(positions.begin(), positions.end(), [](const Vec3& p) {
+    return is_float(p.x()) && is_float(p.y()) && is_float(p.z());
+  });
+}
+
+void write_label(FileWriter& out, const Label& label) {
+  for (const std::uint8_t channel : label.colour) out.raw(channel);
+  out.raw(label.region);
+}
+
+void write_ply_header(FileWriter& out, const Mesh& mesh, bool floats, bool vertex_labels,
+                      bool triangle_labels) {
+  const std::string real = floats ? "float" : "double";
+  const std::string label =
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int region\n";
+  out.text("ply\nformat binary_little_endian 1.0\ncomment written by geolloyd\nelement vertex ");
   out.number(mesh.vertex_count());
-  out.text("\nproperty float x\nproperty float y\nproperty float z\nelement face ");
+  out.text("\nproperty " + real + " x\nproperty " + real + " y\nproperty " + real + " z\n");
+  if (vertex_labels) out.text(label);
+  out.text("element face ");
   out.number(mesh.triangle_count());
-  out.text("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (const Vec3& position : mesh.positions) write_position(out, position);
-  for (const Triangle& triangle : mesh.triangles) {
+  out.text("\nproperty list uchar uint vertex_indices\n");
+  if (triangle_labels) out.text(label);
+  out.text("end_header\n");
+}
+
+void write_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
+               std::span<const Label> triangle_label) {
+  const bool floats = are_floats(mesh.positions);
+  write_ply_header(out, mesh, floats, !vertex_label.empty(), !triangle_label.empty());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    if (floats) {
+      write_floats(out, p);
+    } else {
+      for (const double coordinate : p) out.raw(coordinate);
+    }
+    if (!vertex_label.empty()) write_label(out, vertex_label[v]);
+  }
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     out.raw(std::uint8_t{3});
-    for (const VertexId vertex : triangle) out.raw(vertex);
+    for (const VertexId vertex : mesh.triangles[t]) out.raw(vertex);
+    if (!triangle_label.empty()) write_label(out, triangle_label[t]);
   }
 }
 
@@ -73,6 +112,11 @@ void write_off(FileWriter& out, const Mesh& mesh) {
 }
 
 void write_stl(FileWriter& out, const Mesh& mesh) {
+  for (const Vec3& p : mesh.positions) {
+    if (p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) continue;
+    throw InvalidInput(out.path().string() +
+                       ": a coordinate is too large for STL; write PLY, OBJ or OFF");
+  }
   // Must not begin with "solid", the first word of an ascii STL.
   std::string title = "binary STL written by geolloyd";
   title.resize(80, ' ');
@@ -80,8 +124,8 @@ void write_stl(FileWriter& out, const Mesh& mesh) {
   out.raw(static_cast<std::uint32_t>(mesh.triangle_count()));
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3& origin = mesh.positions[a];
-    write_position(out, normalized(cross(mesh.positions[b] - origin, mesh.positions[c] - origin)));
-    for (const VertexId vertex : {a, b, c}) write_position(out, mesh.positions[vertex]);
+    write_floats(out, normalized(cross(mesh.positions[b] - origin, mesh.positions[c] - origin)));
+    for (const VertexId vertex : {a, b, c}) write_floats(out, mesh.positions[vertex]);
     out.raw(std::uint16_t{0});
   }
 }
@@ -93,7 +137,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   FileWriter out(path);
   switch (format) {
     case MeshFormat::ply:
-      write_ply(out, mesh);
+      write_ply(out, mesh, {}, {});
       break;
     case MeshFormat::obj:
       write_obj(out, mesh);
@@ -105,6 +149,14 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
       write_stl(out, mesh);
       break;
   }
+  out.commit();
+}
+
+void write_labelled_ply(const std::filesystem::path& path, const Mesh& mesh,
+                        std::span<const Label> vertex_label,
+                        std::span<const Label> triangle_label) {
+  FileWriter out(path);
+  write_ply(out, mesh, vertex_label, triangle_label);
   out.commit();
 }
 

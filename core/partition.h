@@ -26,7 +26,7 @@ constexpr RegionId region_of(Key key) {
   return static_cast<RegionId>(key);
 }
 
-/// No path is so long: distances stay below 2^31.
+/// No path is so long: distances stay below 2^30, or 2^31 in locked regions (graph.h).
 inline constexpr std::uint32_t unreached_distance = std::numeric_limits<std::uint32_t>::max();
 /// Of a node that no seed can reach.
 inline constexpr Key unreached = make_key(unreached_distance, no_id);

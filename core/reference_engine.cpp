@@ -7,6 +7,7 @@
 #include "core/energy.h"
 #include "core/fingerprint.h"
 #include "core/forest.h"
+#include "core/seed_move.h"
 #include "core/stopwatch.h"
 
 namespace geolloyd {

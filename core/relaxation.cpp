@@ -148,7 +148,7 @@ class LloydLoop {
     return std::accumulate(scores.begin(), scores.end(), Score{0});
   }
 
-  [[nodiscard]] bool extended() const { return options_.greedy == GreedyMode::extended; }
+  [[nodiscard]] bool extended() const { return options_.greedy != GreedyMode::standard; }
 
   bool notify(const Progress& progress) { return !observer_ || observer_(progress); }
 

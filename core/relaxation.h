@@ -8,9 +8,12 @@
 #include "core/engine.h"
 #include "core/graph.h"
 #include "core/partition.h"
-#include "core/seed_move.h"
 
 namespace geolloyd {
+
+/// The greedy phase: left out, or with the standard or the extended heuristic (seed_move.h). The
+/// precise phase uses the same heuristic, the extended one where there is no greedy phase.
+enum class GreedyMode { off, standard, extended };
 
 /// Options of the relaxation, with the thesis's settings.
 struct RelaxationOptions {
@@ -39,7 +42,7 @@ struct Step {
 
 /// Why a relaxation ended.
 enum class End {
-  converged,    ///< every seed is the centroid of its locked region
+  converged,    ///< a macrostep ended with the seeds with which it began
   interrupted,  ///< the observer asked for it
   limit,        ///< of steps, in the options
   recurred      ///< the seeds came back to where they had been before: it would go on for ever

@@ -111,7 +111,7 @@ class SeedReader {
     Vec3 p;
     for (double& coordinate : p) {
       coordinate = cursor_.real("a coordinate");
-      if (!std::isfinite(coordinate)) cursor_.fail("coordinate is not finite");
+      if (!is_usable(coordinate)) cursor_.fail("coordinate is not a finite number of usable size");
     }
     if (!cursor_.at_line_end()) cursor_.fail("expected three coordinates");
     if (!locator_) locator_ = std::make_unique<NodeLocator>(mesh_graph_.position);

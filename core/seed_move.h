@@ -1,23 +1,14 @@
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "core/energy.h"
 #include "core/graph.h"
 #include "core/partition.h"
 #include "core/subtree.h"
 
 namespace geolloyd {
-
-/// How the greedy phase judges a neighbour of a seed: not at all; by its own subtree; or also by
-/// those of the neighbours' that hang from the seed beside it.
-enum class GreedyMode { off, standard, extended };
-
-/// Sum over a region of distance^2 * mass, in ticks. At most 2^126.
-using Score = Uint128;
-/// Of a node that has not been the seed since scores were last forgotten.
-inline constexpr Score never_scored = std::numeric_limits<Score>::max();
 
 /// What deciding a seed's next node needs to know. Decisions are pure functions of it, so that
 /// every engine shares them.

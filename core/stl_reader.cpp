@@ -102,7 +102,7 @@ LoadedMesh read_ascii(std::string_view bytes, std::string_view name) {
   std::vector<VertexId> corners;
   TextCursor text(bytes, name);
   for (text.skip_empty_lines(); !text.at_end(); text.next_line(), text.skip_empty_lines()) {
-    const std::string_view keyword = text.word();
+    const std::string keyword = lower_case(text.word());
     if (keyword == "vertex") {
       corners.push_back(welder.id_of(read_position(text)));
     } else if (keyword == "endloop") {
@@ -118,12 +118,18 @@ LoadedMesh read_ascii(std::string_view bytes, std::string_view name) {
   return loaded;
 }
 
+bool begins_as_ascii(std::string_view bytes, std::string_view name) {
+  TextCursor beginning(bytes.substr(0, 1024), name);
+  beginning.skip_empty_lines();
+  return lower_case(beginning.word()) == "solid";
+}
+
 }  // namespace
 
 LoadedMesh read_stl(std::string_view bytes, std::string_view name) {
   // Some binary files begin with "solid" too, but then their size gives them away.
   const bool has_binary_size = bytes.size() >= header_size && bytes.size() == promised_size(bytes);
-  if (!has_binary_size && bytes.starts_with("solid")) return read_ascii(bytes, name);
+  if (!has_binary_size && begins_as_ascii(bytes, name)) return read_ascii(bytes, name);
   return read_binary(bytes, name);
 }
 

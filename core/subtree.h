@@ -9,8 +9,8 @@
 
 namespace geolloyd {
 
-/// Sums over each node's subtree of the forest, the node itself included. Exact: distances and
-/// masses are below 2^32, and there are fewer than 2^32 nodes.
+/// Sums over each node's subtree of the forest, the node itself included. Exact: distances are
+/// below 2^31, masses below 2^32, and there are fewer than 2^30 nodes.
 struct SubtreeSums {
   std::vector<std::uint64_t> cost;  ///< per node: sum of distances, ticks
   std::vector<std::uint64_t> mass;  ///< per node: sum of masses, ticks

@@ -1,15 +1,5 @@
 #include "core/tangent_field.h"
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
-
-#include "core/errors.h"
-#include "core/file_io.h"
-#include "core/mesh_io.h"
-#include "core/text_cursor.h"
-
 namespace geolloyd {
 namespace {
 
@@ -17,71 +7,27 @@ TangentSpace quarter_turn(const TangentSpace& s) {
   return {s.bitangent, -s.tangent, s.bitangent_magnitude, s.tangent_magnitude};
 }
 
+TangentSpace mirror_image(const TangentSpace& s) {
+  return {s.tangent, -s.bitangent, s.tangent_magnitude, s.bitangent_magnitude};
+}
+
 double agreement(const TangentSpace& a, const TangentSpace& b) {
   return dot(a.tangent, b.tangent) + dot(a.bitangent, b.bitangent);
-}
-
-void skip_header(TextCursor& cursor) {
-  while (!cursor.at_end()) {
-    const bool column_names = cursor.word() == "k1";
-    cursor.next_line();
-    if (column_names) return;
-  }
-  cursor.fail("no line of column names (k1 k2 k1v_x ...) before the end of the file");
-}
-
-double field_value(TextCursor& cursor, std::string_view name) {
-  const double value = cursor.real(name);
-  if (!(std::abs(value) <= largest_coordinate)) {
-    cursor.fail(std::string(name) + " is not a finite number of usable size");
-  }
-  return value;
-}
-
-TangentSpace read_space(TextCursor& cursor) {
-  static constexpr std::array<std::string_view, 8> names = {"k1",    "k2",    "k1v_x", "k1v_y",
-                                                            "k1v_z", "k2v_x", "k2v_y", "k2v_z"};
-  std::array<double, 8> value{};
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] = field_value(cursor, names[i]);
-  if (!cursor.at_line_end()) cursor.fail("more than the eight numbers of a vertex");
-  return {normalized({value[2], value[3], value[4]}), normalized({value[5], value[6], value[7]}),
-          std::abs(value[0]), std::abs(value[1])};
 }
 
 }  // namespace
 
 TangentSpace average(const TangentSpace& a, const TangentSpace& b) {
-  TangentSpace turned = b;
   TangentSpace nearest = b;
-  for (int turn = 1; turn < 4; ++turn) {
-    turned = quarter_turn(turned);
-    if (agreement(a, turned) > agreement(a, nearest)) nearest = turned;
+  for (TangentSpace turned : {b, mirror_image(b)}) {
+    for (int turn = 0; turn < 4; ++turn) {
+      if (agreement(a, turned) > agreement(a, nearest)) nearest = turned;
+      turned = quarter_turn(turned);
+    }
   }
   return {normalized(a.tangent + nearest.tangent), normalized(a.bitangent + nearest.bitangent),
           (a.tangent_magnitude + nearest.tangent_magnitude) / 2,
           (a.bitangent_magnitude + nearest.bitangent_magnitude) / 2};
-}
-
-std::vector<TangentSpace> read_tangent_field(const std::filesystem::path& path,
-                                             std::size_t vertex_count) {
-  const std::string text = read_file(path);
-  const std::string name = path.string();
-  TextCursor cursor(text, name);
-  skip_header(cursor);
-  std::vector<TangentSpace> spaces;
-  spaces.reserve(vertex_count);
-  for (cursor.skip_empty_lines(); !cursor.at_end(); cursor.skip_empty_lines()) {
-    if (spaces.size() == vertex_count) {
-      cursor.fail("more lines than the mesh has vertices (" + std::to_string(vertex_count) + ")");
-    }
-    spaces.push_back(read_space(cursor));
-    cursor.next_line();
-  }
-  if (spaces.size() != vertex_count) {
-    cursor.fail("the file ends after " + std::to_string(spaces.size()) +
-                " vertices, but the mesh has " + std::to_string(vertex_count));
-  }
-  return spaces;
 }
 
 std::vector<TangentSpace> triangle_spaces(const Mesh& mesh,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "core/mesh.h"
@@ -17,16 +16,11 @@ struct TangentSpace {
   double bitangent_magnitude;
 };
 
-/// The mean of two spaces: of the four quarter turns of `b`, the one whose directions are nearest
-/// to those of `a` (the first where several are) is averaged with it, each magnitude following its
-/// direction. Symmetric as a metric (thesis, section on anisotropy; its program's faults avoided).
+/// The mean of two spaces: of the quarter turns of `b` and of its mirror image, which are all the
+/// same metric, the one whose directions are nearest to those of `a` (the first where several are)
+/// is averaged with it, each magnitude following its direction. Symmetric as a metric (thesis,
+/// section on anisotropy; mirror images, for fields of mixed handedness, are ours).
 TangentSpace average(const TangentSpace& a, const TangentSpace& b);
-
-/// One space per vertex, from a .vfield file: any header lines, then the line of column names "k1
-/// k2 k1v_x ...", then eight numbers per vertex (two magnitudes, tangent, bitangent). Throws
-/// InvalidInput naming the line where something is malformed, missing or too much.
-std::vector<TangentSpace> read_tangent_field(const std::filesystem::path& path,
-                                             std::size_t vertex_count);
 
 /// Space of each triangle: the average of its first two vertices' with the third's.
 std::vector<TangentSpace> triangle_spaces(const Mesh& mesh,

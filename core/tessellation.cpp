@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/energy.h"
-
 namespace geolloyd {
 
 std::vector<RegionSummary> summarise_regions(const Graph& graph, const Partition& partition,

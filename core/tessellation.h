@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/energy.h"
 #include "core/graph.h"
 #include "core/partition.h"
-#include "core/seed_move.h"
 
 namespace geolloyd {
 

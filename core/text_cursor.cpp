@@ -33,7 +33,10 @@ std::optional<Number> parse(std::string_view word) {
 }  // namespace
 
 TextCursor::TextCursor(std::string_view text, std::string_view name, std::size_t first_line)
-    : text_(text), name_(name), line_(first_line) {}
+    : text_(text), name_(name), line_(first_line) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text_.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
+}
 
 bool TextCursor::at_line_end() {
   while (!at_end() && is_space(text_[position_]) && !ends_line(text_[position_])) ++position_;
@@ -97,6 +100,14 @@ std::string in_quotes(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, longest)) text += (c >= ' ' && c <= '~') ? c : '?';
   return text + (word.size() > longest ? "...'" : "'");
+}
+
+std::string lower_case(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
 }
 
 }  // namespace geolloyd

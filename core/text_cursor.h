@@ -8,9 +8,9 @@
 
 namespace geolloyd {
 
-/// Walks through a text file word by word, knowing its line, so that every complaint can name it.
-/// Words are separated by blanks; lines end with "\n", "\r\n" or "\r". Numbers are read in the "C"
-/// locale, whatever the program's.
+/// Walks through a text file word by word, knowing its line, so that every complaint can name it. A
+/// byte order mark at its beginning is passed over. Words are separated by blanks; lines end with
+/// "\n", "\r\n" or "\r". Numbers are read in the "C" locale, whatever the program's.
 class TextCursor {
  public:
   /// Both views must outlive the cursor; `name` opens every message.
@@ -45,6 +45,9 @@ class TextCursor {
   std::size_t position_ = 0;
   std::size_t line_;
 };
+
+/// With the letters A to Z made small, whatever the locale.
+std::string lower_case(std::string_view word);
 
 /// The whole of `word` as a number, or nothing. Accepts a leading '+'. "nan" and "inf" are numbers
 /// here; what a double or 64 bits cannot hold is none.

@@ -8,6 +8,14 @@ namespace geolloyd {
 
 using Vec3 = Eigen::Vector3d;
 
+/// Coordinates beyond this are refused: their fourth power, an area squared, must not overflow.
+inline constexpr double largest_coordinate = 1e75;
+
+/// False also for what is not a number.
+inline bool is_usable(double coordinate) {
+  return std::abs(coordinate) <= largest_coordinate;
+}
+
 // Eigen chooses the order of a sum by the vector unit it compiles for, and the last bit of a length
 // decides its ticks. These reductions have one order on every machine; the rest of Eigen is used as
 // it is.

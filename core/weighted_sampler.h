@@ -7,8 +7,8 @@
 
 namespace geolloyd {
 
-/// Items with integer weights that change: O(1) to change one, O(sqrt n) or so to find the item at
-/// a place in their running sum. Exact, so that a draw cannot depend on the order of changes.
+/// Items with integer weights that change: O(1) to change one, O(n / 1024 + 1024) to find the item
+/// at a place in their running sum. Exact, so that a draw cannot depend on the order of changes.
 class WeightedSampler {
  public:
   explicit WeightedSampler(std::size_t size)

@@ -100,6 +100,25 @@ TEST(LockedSearch, AgreesWithBruteForceAfterSeedsMoved) {
   });
 }
 
+// In a locked region the way may lead back by the seed that made it: longer than any free distance.
+TEST(LockedSearch, HasRoomForWaysLongerThanAnyFreeDistance) {
+  const Graph graph = make_graph(
+      std::vector<Link>{{0, 1, 1}, {0, 2, 1}, {0, 3, 1}, {0, 4, 0.95}, {1, 2, 1.9}, {1, 3, 1.9}},
+      std::vector<double>(5, 1.0));
+  Searched result = search_free(graph, {4, 1});
+  const std::vector<RegionId> regions = naive::regions_of(result.partition);
+  const std::vector<NodeId> seeds = {4, 2};
+  ASSERT_EQ(regions[2], 1U);
+  IndexedHeap heap(graph.node_count());
+  search_locked(graph, seeds, std::vector<RegionId>{0, 1}, heap, result.partition.key,
+                result.settled);
+  derive_parents(graph, result.partition.key, result.settled, result.partition.parent);
+  const auto defect = check_partition(graph, seeds, result.partition, Regions::locked);
+  EXPECT_FALSE(defect.has_value()) << defect->what;
+  EXPECT_EQ(result.partition.key, naive::partition(graph, seeds, regions).key);
+  EXPECT_EQ(result.settled.size(), 5U);
+}
+
 TEST(LockedSearch, WithUnmovedSeedsChangesNothing) {
   for_random_cases([](const Graph& graph, const std::vector<NodeId>& seeds) {
     Searched result = search_free(graph, seeds);

@@ -259,6 +259,29 @@ TEST(MeshGraph, AFieldStretchesThePlaneAlongItsAxis) {
   }
 }
 
+// On the plane an arc whose isotropic length is that of the straight line is stretched as that line
+// is, across edges too.
+TEST(MeshGraph, AFieldStretchesStraightWaysAcrossEdges) {
+  const Mesh mesh = irregular_plane(800, 1);
+  const auto field = field_along_x(mesh.vertex_count(), 3);
+  for (const GraphKind kind : all_kinds) {
+    const MeshGraph plain = make(mesh, kind);
+    const MeshGraph stretched = make(mesh, kind, Norm::geodesic, field);
+    std::size_t straight = 0;
+    for (NodeId v = 0; v < plain.graph.node_count(); ++v) {
+      for (const NodeId u : plain.graph.neighbours(v)) {
+        const Vec3 way = plain.position[u] - plain.position[v];
+        const std::uint32_t a = plain.input_id[v];
+        const std::uint32_t b = plain.input_id[u];
+        if (std::abs(arc_between(plain, a, b) - norm(way)) > 1e-7) continue;
+        ++straight;
+        ASSERT_NEAR(arc_between(stretched, a, b), std::hypot(3 * way.x(), way.y()), 1e-6);
+      }
+    }
+    EXPECT_GT(straight, 0.15 * static_cast<double>(plain.graph.arc_count()));
+  }
+}
+
 TEST(MeshGraph, AUnitFieldOnThePlaneChangesNothing) {
   const Mesh mesh = irregular_plane(800, 1);
   for (const GraphKind kind : all_kinds) {

@@ -150,7 +150,7 @@ inline std::vector<RegionId> regions_of(const Partition& partition) {
 inline History relax(const Graph& graph, std::vector<NodeId> seeds,
                      const RelaxationOptions& options) {
   History history;
-  const bool extended = options.greedy == GreedyMode::extended;
+  const bool extended = options.greedy != GreedyMode::standard;
 
   std::set<NodeId> has_been_seed;
   for (bool moved = options.greedy != GreedyMode::off; moved;) {

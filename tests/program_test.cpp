@@ -151,15 +151,34 @@ TEST_F(Program, FilesAgreeWithEachOther) {
   EXPECT_NEAR(energy / report_in(out())["energy"].get<double>(), 1, 1e-9);
 }
 
+// Each option does something: no two of these give the same course.
 TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
-  for (const std::string options :
-       {"-g vertex-dense", "-g triangle", "-g triangle-dense", "-g mixed", "--init random",
-        "--init random-area", "--init kmeans++", "--norm manhattan", "--norm linf", "--greedy off",
-        "--greedy standard", "--no-microstep-skip", "--no-macrostep-skip"}) {
+  std::set<std::string> fingerprints;
+  const std::vector<std::string> all_options = {"",
+                                                "-g vertex-dense",
+                                                "-g triangle",
+                                                "-g triangle-dense",
+                                                "-g mixed",
+                                                "--init random",
+                                                "--init random-area",
+                                                "--init kmeans++",
+                                                "--norm manhattan",
+                                                "--norm linf",
+                                                "--greedy off",
+                                                "--greedy standard",
+                                                "--random-seed 2",
+                                                "--max-greedy-steps 3"};
+  for (const std::string& options : all_options) {
     const Outcome outcome = relax("--seeds 20 " + options);
-    EXPECT_EQ(outcome.status, 0) << options << ": " << outcome.text;
-    EXPECT_EQ(report_in(out())["options"]["seeds"], 20) << options;
+    ASSERT_EQ(outcome.status, 0) << options << ": " << outcome.text;
+    const nlohmann::json report = report_in(out());
+    EXPECT_EQ(report["options"]["seeds"], 20) << options;
+    EXPECT_EQ(report["end"], "converged") << options;
+    EXPECT_EQ(report["steps"]["greedy"] == 0, options == "--greedy off");
+    EXPECT_TRUE(fingerprints.insert(report["fingerprint"].get<std::string>()).second) << options;
   }
+  EXPECT_EQ(relax("--seeds 20 --no-macrostep-skip").status, 0);
+  EXPECT_EQ(report_in(out())["options"]["macrostep_skip"], false);
 }
 
 TEST_F(Program, GivesTheSameFingerprintAgainAndWithTheMicrostepsSearched) {
@@ -250,6 +269,8 @@ TEST_F(Program, AnswersUnusableFilesWithOneLine) {
       relax_file(folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n")),
       "nothing to tessellate");
   expect_complaint(relax("--seeds 99999"), "more seeds (99999) than graph nodes");
+  expect_complaint(relax_file("two\nlines.ply"), "two?lines.ply");
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(Program, AnswersUnwritableOutputWithOneLineBeforeTheWork) {
@@ -275,6 +296,11 @@ TEST_F(Program, ChecksThePictureBeforeTheWork) {
   const std::string before = read_file(mesh_);
   expect_complaint(relax("--seeds 4 --picture " + mesh_.string()), "would be overwritten");
   EXPECT_EQ(read_file(mesh_), before);
+  expect_complaint(relax("--seeds 4 --picture " + (out() / "report.json").string()),
+                   "would be overwritten");
+  const fs::path seeds = folder_.write("seeds.txt", "0\n1\n");
+  expect_complaint(relax("--seeds-file " + seeds.string() + " --picture " + seeds.string()),
+                   "would be overwritten");
   expect_complaint(relax("--seeds 4 --picture /nowhere/p.png"), "/nowhere/p.png: cannot write");
   EXPECT_FALSE(fs::exists(out() / "report.json"));
   EXPECT_EQ(relax("--seeds 4 --picture " + (folder_.path() / "p.png").string()).status, 0);
@@ -309,6 +335,12 @@ TEST_F(Program, HandlesNamesWithBlanksAndOtherAlphabets) {
                                         (folder_.path() / "là bas").string() + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_EQ(report_in(folder_.path() / "là bas")["input"]["file"], odd.string());
+  mesh_ = folder_.path() / "not \xff UTF-8.ply";
+  fs::rename(odd, mesh_);
+  const Outcome other =
+      geolloyd_with("relax '" + mesh_.string() + "' --seeds 4 -o " + out().string());
+  EXPECT_EQ(other.status, 0) << other.text;
+  EXPECT_EQ(report_in(out())["interrupted"], false);
 }
 
 // The program in the background, once it catches interrupts, which is when the relaxation begins.

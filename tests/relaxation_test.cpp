@@ -7,6 +7,7 @@
 
 #include "core/check_partition.h"
 #include "core/energy.h"
+#include "core/fingerprint.h"
 #include "core/mesh_graph.h"
 #include "core/reference_engine.h"
 #include "core/seeds.h"
@@ -37,6 +38,20 @@ void for_random_cases(Check&& check) {
   }
 }
 
+template <class Check>
+void for_random_cases_in_all_modes(Check&& check) {
+  for (const GreedyMode mode : all_modes) {
+    for (const bool macrostep_skip : {true, false}) {
+      RelaxationOptions options;
+      options.greedy = mode;
+      options.macrostep_skip = macrostep_skip;
+      for_random_cases([&](const Graph& graph, const std::vector<NodeId>& seeds) {
+        check(graph, seeds, options);
+      });
+    }
+  }
+}
+
 std::size_t steps_in(const Relaxation& result, Phase phase) {
   std::size_t count = 0;
   for (const Step& step : result.steps) count += step.phase == phase ? 1 : 0;
@@ -45,15 +60,10 @@ std::size_t steps_in(const Relaxation& result, Phase phase) {
 
 // The whole definition against a second, independent writing of it.
 TEST(Relaxation, AgreesWithBruteForceStepByStep) {
-  for (const GreedyMode mode : all_modes) {
-    for (const bool macrostep_skip : {true, false}) {
-      for_random_cases([&](const Graph& graph, const std::vector<NodeId>& seeds) {
-        RelaxationOptions options;
-        options.greedy = mode;
-        options.macrostep_skip = macrostep_skip;
+  for_random_cases_in_all_modes(
+      [](const Graph& graph, const std::vector<NodeId>& seeds, const RelaxationOptions& options) {
         const Relaxation result = run(graph, seeds, options);
         const naive::History expected = naive::relax(graph, seeds, options);
-
         ASSERT_EQ(result.end, expected.recurred ? End::recurred : End::converged);
         ASSERT_EQ(steps_in(result, Phase::greedy), expected.greedy.size());
         ASSERT_EQ(steps_in(result, Phase::precise), expected.macro.size());
@@ -69,13 +79,12 @@ TEST(Relaxation, AgreesWithBruteForceStepByStep) {
           Score score = 0;
           for (RegionId r = 0; r < seeds.size(); ++r) score += naive::score(graph, p, r);
           ASSERT_EQ(step.score, score) << i;
+          ASSERT_EQ(step.state, digest(at_start, p)) << i;  // seeds, regions, distances, parents
           if (!greedy) {
             ASSERT_EQ(step.microsteps.size(), expected.microsteps[macro]);
           }
         }
       });
-    }
-  }
 }
 
 TEST(Relaxation, EndsWithACertifiedPartitionOfItsSeeds) {
@@ -90,33 +99,34 @@ TEST(Relaxation, EndsWithACertifiedPartitionOfItsSeeds) {
 }
 
 TEST(Relaxation, SkippingMicrostepsChangesNothingButTheVisits) {
-  for_random_cases([](const Graph& graph, const std::vector<NodeId>& seeds) {
-    RelaxationOptions options;
-    const Relaxation skipping = run(graph, seeds, options);
-    options.microstep_skip = false;
-    const Relaxation searching = run(graph, seeds, options);
-    ASSERT_EQ(skipping.fingerprint, searching.fingerprint);
-    ASSERT_EQ(skipping.seeds, searching.seeds);
-    ASSERT_EQ(skipping.steps.size(), searching.steps.size());
-    for (std::size_t i = 0; i < skipping.steps.size(); ++i) {
-      ASSERT_EQ(skipping.steps[i].microsteps.size(), searching.steps[i].microsteps.size());
-      ASSERT_LE(skipping.steps[i].node_visits, searching.steps[i].node_visits);
-    }
-  });
+  for_random_cases_in_all_modes(
+      [](const Graph& graph, const std::vector<NodeId>& seeds, RelaxationOptions options) {
+        const Relaxation skipping = run(graph, seeds, options);
+        options.microstep_skip = false;
+        const Relaxation searching = run(graph, seeds, options);
+        ASSERT_EQ(skipping.fingerprint, searching.fingerprint);
+        ASSERT_EQ(skipping.seeds, searching.seeds);
+        ASSERT_EQ(skipping.steps.size(), searching.steps.size());
+        for (std::size_t i = 0; i < skipping.steps.size(); ++i) {
+          ASSERT_EQ(skipping.steps[i].microsteps.size(), searching.steps[i].microsteps.size());
+          ASSERT_LE(skipping.steps[i].node_visits, searching.steps[i].node_visits);
+        }
+      });
 }
 
 TEST(Relaxation, NeverRaisesTheEnergyAcrossMacrosteps) {
-  for_random_cases([](const Graph& graph, const std::vector<NodeId>& seeds) {
-    const Relaxation result = run(graph, seeds);
-    const Step* before = nullptr;
-    for (const Step& step : result.steps) {
-      if (step.phase != Phase::precise) continue;
-      if (before != nullptr) {
-        ASSERT_LE(step.score, before->score);
-      }
-      before = &step;
-    }
-  });
+  for_random_cases_in_all_modes(
+      [](const Graph& graph, const std::vector<NodeId>& seeds, const RelaxationOptions& options) {
+        const Relaxation result = run(graph, seeds, options);
+        const Step* before = nullptr;
+        for (const Step& step : result.steps) {
+          if (step.phase != Phase::precise) continue;
+          if (before != nullptr) {
+            ASSERT_LE(step.score, before->score);
+          }
+          before = &step;
+        }
+      });
 }
 
 // No seed of a converged result can be bettered inside its region by one step.

@@ -49,6 +49,9 @@ using Ids = std::vector<std::uint32_t>;
 TEST_F(SeedFile, HoldsInputIds) {
   EXPECT_EQ(read("3\n6\n0\n"), (Ids{3, 6, 0}));
   EXPECT_EQ(read("# two\r\n\r\n 3 \r\n5"), (Ids{3, 5}));
+  EXPECT_EQ(read("\xef\xbb\xbf"
+                 "3\n5\n"),
+            (Ids{3, 5}));  // a byte order mark
 }
 
 TEST_F(SeedFile, CountsTrianglesFromZeroOrInTheMixedGraphAfterTheVertices) {
@@ -81,7 +84,8 @@ TEST_F(SeedFile, IsRefusedWithTheLineWhereItIsWrong) {
   expect_refused("0\n5\n0\n", "line 3: the same node as the seed on line 1");
   expect_refused("0 0 0\n0.1 0 0\n", "line 2: the same node as the seed on line 1");
   expect_refused("0 0 0\n1 1\n", "line 2: ");
-  expect_refused("0 0 0\n1 1 nan\n", "line 2: ");
+  expect_refused("0 0 0\n1 1 nan\n", "line 2: coordinate is not a finite number");
+  expect_refused("0 0 0\n1e160 1 1\n", "line 2: coordinate is not a finite number");
   expect_refused("0 0 0\n1 1 1 1\n", "line 2: expected three coordinates");
   expect_refused("0\n5 5\n", "line 2: expected one input id");
 }

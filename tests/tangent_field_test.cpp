@@ -9,6 +9,7 @@
 #include "core/arc_length.h"
 #include "core/errors.h"
 #include "core/random.h"
+#include "core/tangent_field_file.h"
 #include "tests/temporary_folder.h"
 
 namespace geolloyd {
@@ -38,9 +39,11 @@ TEST(TangentSpaces, AverageDoesNotDependOnHowTheSecondIsWritten) {
   const TangentSpace opposite{-other.tangent, -other.bitangent, 3, 1};
   const TangentSpace swapped{other.bitangent, -other.tangent, 1, 3};
   const TangentSpace swapped_back{-other.bitangent, other.tangent, 1, 3};
+  const TangentSpace mirrored{other.tangent, -other.bitangent, 3, 1};
+  const TangentSpace exchanged{other.bitangent, other.tangent, 1, 3};
   const Vec3 d(0.3, -0.8, 0.1);
   const double expected = measure(d, average(axes, other), Norm::geodesic);
-  for (const TangentSpace& same : {opposite, swapped, swapped_back}) {
+  for (const TangentSpace& same : {opposite, swapped, swapped_back, mirrored, exchanged}) {
     EXPECT_NEAR(measure(d, average(axes, same), Norm::geodesic), expected, 1e-14);
   }
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -13,7 +14,10 @@ constexpr int status_error = 1;      // ours to mend
 constexpr int status_bad_input = 2;  // the user's to mend
 constexpr int status_interrupted = 130;
 
-int complain(int status, const std::string& message) {
+// One line, whatever stands in the name of a file.
+int complain(int status, std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, '?');
   std::fprintf(stderr, "geolloyd: %s\n", message.c_str());
   return status;
 }

@@ -11,7 +11,6 @@
 #include "core/bounding_box.h"
 #include "core/errors.h"
 #include "core/file_writer.h"
-#include "tools/palette.h"
 #include "tools/ray_caster.h"
 
 namespace geolloyd {
@@ -71,21 +70,44 @@ struct View {
 };
 
 struct Sample {
-  RegionId region = no_id;
-  bool is_hit = false;
+  std::uint32_t input_id = no_id;  // none where the ray misses the mesh
   bool is_dot = false;
   float light = 0;
 };
 
+// Moved and scaled into a cube of side 1 about the origin: rays have 24 bits only.
+struct UnitFrame {
+  Vec3 middle;
+  double scale;
+
+  explicit UnitFrame(const Mesh& mesh) {
+    const BoundingBox box = bounding_box(mesh.positions);
+    const double widest = box.extent().maxCoeff();
+    middle = box.middle();
+    scale = widest > 0 ? 1 / widest : 1;
+  }
+
+  [[nodiscard]] Vec3 operator()(const Vec3& p) const { return (p - middle) * scale; }
+};
+
+Mesh transformed(Mesh mesh, const UnitFrame& frame) {
+  for (Vec3& p : mesh.positions) p = frame(p);
+  return mesh;
+}
+
 class Painter {
  public:
   explicit Painter(const RunRecord& run)
-      : run_(run), mesh_(run.input.mesh), view_(mesh_), caster_(mesh_) {
-    const Graph& graph = run.mesh_graph.graph;
-    colour_ = colour_regions(run.regions.size(), adjacent_regions(graph, run.relaxation.partition),
-                             palette_size);
+      : run_(run),
+        frame_(run.input.mesh),
+        mesh_(transformed(run.input.mesh, frame_)),
+        view_(mesh_),
+        caster_(mesh_) {
     const double region_area = run.facts.area / static_cast<double>(run.regions.size());
-    dot_radius_ = 0.13 * std::sqrt(region_area / std::numbers::pi);
+    dot_radius_ = 0.13 * std::sqrt(region_area / std::numbers::pi) * frame_.scale;
+    for (const RegionSummary& region : run.regions) {
+      seed_position_.push_back(frame_(run.mesh_graph.position[region.seed]));
+    }
   }
 
   [[nodiscard]] int height() const { return view_.rows / samples_per_side; }
@@ -118,25 +140,21 @@ class Painter {
     const std::array<double, 3> weight = {1 - hit->u - hit->v, hit->u, hit->v};
     Vec3 point(0, 0, 0);
     for (std::size_t c = 0; c < 3; ++c) point += weight[c] * mesh_.positions[t[c]];
-    const RegionId region = region_at(*hit, weight);
-    const bool is_dot = region != no_id && norm(point - seed_position(region)) < dot_radius_;
-    return {region, true, is_dot, light_on(t)};
+    const std::uint32_t id = shown_id(*hit, weight);
+    const std::int32_t region = run_.labels[id].region;
+    const bool is_dot =
+        region >= 0 && norm(point - seed_position_[static_cast<std::size_t>(region)]) < dot_radius_;
+    return {id, is_dot, light_on(t)};
   }
 
-  // Of the triangle, where triangles have regions; else of the nearest corner.
-  [[nodiscard]] RegionId region_at(const RayHit& hit, const std::array<double, 3>& weight) const {
-    const MeshGraph& made = run_.mesh_graph;
-    std::size_t id = made.first_triangle_id + hit.triangle;
-    if (!has_triangles(made.kind)) {
-      const auto nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
-      id = mesh_.triangles[hit.triangle][static_cast<std::size_t>(nearest)];
+  // Of the triangle, where triangles have labels; else of the nearest corner.
+  [[nodiscard]] std::uint32_t shown_id(const RayHit& hit,
+                                       const std::array<double, 3>& weight) const {
+    if (has_triangles(run_.mesh_graph.kind)) {
+      return static_cast<std::uint32_t>(run_.mesh_graph.first_triangle_id + hit.triangle);
     }
-    const NodeId node = made.node_of[id];
-    return node == no_id ? no_id : region_of(run_.relaxation.partition.key[node]);
-  }
-
-  [[nodiscard]] const Vec3& seed_position(RegionId region) const {
-    return run_.mesh_graph.position[run_.regions[region].seed];
+    const auto nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
+    return mesh_.triangles[hit.triangle][static_cast<std::size_t>(nearest)];
   }
 
   // From the eye and from above; both sides of the surface alike.
@@ -154,7 +172,7 @@ class Painter {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}}) {
       if (column + dx >= view_.columns || row + dy >= view_.rows) continue;
       const Sample& beside = at(column + dx, row + dy);
-      if (beside.is_hit && beside.region != here.region) return true;
+      if (beside.input_id != no_id && label(beside).region != label(here).region) return true;
     }
     return false;
   }
@@ -167,13 +185,11 @@ class Painter {
         const int column = x * samples_per_side + i;
         const int row = y * samples_per_side + j;
         const Sample& sample = at(column, row);
-        if (!sample.is_hit) continue;
+        if (sample.input_id == no_id) continue;
         ++hits;
         const bool is_dark = sample.is_dot || is_border(column, row);
-        const Colour colour =
-            sample.region == no_id ? no_region_colour : palette_colour(colour_[sample.region]);
         const double light = is_dark ? 0.2 * sample.light : sample.light;
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += light * colour[c];
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += light * label(sample).colour[c];
       }
     }
     std::array<std::uint8_t, 4> result = {0, 0, 0, 0};
@@ -184,13 +200,18 @@ class Painter {
     return result;
   }
 
+  [[nodiscard]] const Label& label(const Sample& sample) const {
+    return run_.labels[sample.input_id];
+  }
+
   const RunRecord& run_;
-  const Mesh& mesh_;
+  UnitFrame frame_;
+  Mesh mesh_;
   View view_;
   RayCaster caster_;
-  std::vector<std::uint32_t> colour_;  // per region
   double dot_radius_;
-  std::vector<Sample> samples_;  // row by row
+  std::vector<Vec3> seed_position_;  // per region
+  std::vector<Sample> samples_;      // row by row
 };
 
 }  // namespace

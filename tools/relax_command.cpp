@@ -7,10 +7,12 @@
 #include "core/reference_engine.h"
 #include "core/seed_file.h"
 #include "core/seeds.h"
+#include "core/tangent_field_file.h"
 #include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
+#include "tools/labels.h"
 #include "tools/names.h"
 #include "tools/picture.h"
 #include "tools/progress.h"
@@ -184,7 +186,7 @@ void print_summary(const RunRecord& run) {
              counted(steps.micro, "microstep", "microsteps"));
   fmt::print("  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial, result.energy,
              hexagonal > 0
-                 ? fmt::format(", {:.4f} of a regular hexagonal tiling", result.energy / hexagonal)
+                 ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
   fmt::print(
@@ -208,12 +210,12 @@ void run_relax(const RelaxArguments& arguments) {
   progress.stage("reading " + arguments.mesh.string());
   {
     const MeshEdges edges = load(run);
-    prepare_output(arguments);
     progress.stage("building the " + arguments.graph + " graph");
     build_graph(run, edges);
   }
   progress.stage("choosing seeds");
   std::vector<NodeId> seeds = first_seeds(run);
+  prepare_output(arguments);
   catch_interrupts();
   relax_seeds(run, std::move(seeds), progress);
 
@@ -221,6 +223,7 @@ void run_relax(const RelaxArguments& arguments) {
   const Stopwatch writing;
   run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
                                   run.relaxation.seeds, run.relaxation.region_score);
+  run.labels = label_input_ids(run);
   write_results(run);
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();

@@ -150,4 +150,8 @@ Json make_report(const RunRecord& run) {
   return report;
 }
 
+std::string report_text(const RunRecord& run) {
+  return make_report(run).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace geolloyd

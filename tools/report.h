@@ -9,6 +9,9 @@ namespace geolloyd {
 /// Everything a script may want to know of a run; the README lists the keys.
 nlohmann::ordered_json make_report(const RunRecord& run);
 
+/// The same as text. Names that are not UTF-8 get replacement characters.
+std::string report_text(const RunRecord& run);
+
 /// The fingerprint as 16 hexadecimal digits.
 std::string fingerprint_text(std::uint64_t fingerprint);
 

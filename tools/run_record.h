@@ -50,6 +50,7 @@ struct RunRecord {
   std::size_t components = 0;  ///< of the graph
   Relaxation relaxation;
   std::vector<RegionSummary> regions;
+  std::vector<Label> labels;  ///< per input id
   StageSeconds seconds;
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };

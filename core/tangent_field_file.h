@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/tangent_field.h"
+
+namespace geolloyd {
+
+/// One space per vertex, from a .vfield file: any header lines, then the line of column names "k1
+/// k2 k1v_x ...", then eight numbers per vertex (two magnitudes, tangent, bitangent). Throws
+/// InvalidInput naming the line where something is malformed, missing or too much.
+std::vector<TangentSpace> read_tangent_field(const std::filesystem::path& path,
+                                             std::size_t vertex_count);
+
+}  // namespace geolloyd

@@ -1,0 +1,49 @@
+#include "tools/labels.h"
+
+#include <cmath>
+
+namespace geolloyd {
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
+
+// Easy to tell apart side by side.
+constexpr std::array<Colour, 8> palette = {{{78, 121, 167},
+                                            {242, 142, 43},
+                                            {89, 161, 79},
+                                            {225, 87, 89},
+                                            {176, 122, 161},
+                                            {237, 201, 72},
+                                            {118, 183, 178},
+                                            {156, 117, 95}}};
+constexpr Label no_region = {{128, 128, 128}, -1};
+
+// The palette, and beyond it pastel hues a golden angle apart.
+Colour colour_of(std::uint32_t number) {
+  if (number < palette.size()) return palette[number];
+  const double hue = 2.399963229728653 * number;
+  const auto channel = [hue](double phase) {
+    return static_cast<std::uint8_t>(160 + 90 * std::cos(hue + phase));
+  };
+  return {channel(0), channel(2.0944), channel(4.1888)};
+}
+
+}  // namespace
+
+std::vector<Label> label_input_ids(const RunRecord& run) {
+  const Partition& partition = run.relaxation.partition;
+  const std::vector<std::uint32_t> colour =
+      colour_regions(run.regions.size(), adjacent_regions(run.mesh_graph.graph, partition),
+                     static_cast<std::uint32_t>(palette.size()));
+  std::vector<Label> labels;
+  labels.reserve(run.mesh_graph.node_of.size());
+  for (const NodeId node : run.mesh_graph.node_of) {
+    const RegionId region = node == no_id ? no_id : region_of(partition.key[node]);
+    labels.push_back(region == no_id
+                         ? no_region
+                         : Label{colour_of(colour[region]), static_cast<std::int32_t>(region)});
+  }
+  return labels;
+}
+
+}  // namespace geolloyd
