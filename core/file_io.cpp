@@ -61,6 +61,11 @@ OutputFile::OutputFile(std::filesystem::path path)
     : path_(std::move(path)), temporary_(path_.string() + ".part" + std::to_string(::getpid())) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path_, ignored)) fail(path_, "cannot write", EISDIR);
+  // A rename would put a plain file in the place of a device or a pipe.
+  if (std::filesystem::exists(path_, ignored) &&
+      !std::filesystem::is_regular_file(path_, ignored)) {
+    throw IoError(path_.string() + ": cannot write: not a regular file");
+  }
   file_.reset(std::fopen(temporary_.c_str(), "wbe"));
   if (!file_) fail(path_, "cannot write", errno);
 }

@@ -12,7 +12,8 @@ namespace geolloyd {
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears whole or not at all: written under a temporary name beside `path`, renamed
-/// by commit(), removed if the object goes before that. Throws IoError.
+/// by commit(), removed if the object goes before that. Throws IoError; also where `path` is a
+/// folder, a device or a pipe.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);

@@ -64,6 +64,8 @@ TEST(FileIo, SaysWhichFileCannotBeUsedAndWhy) {
             missing.string() + ": cannot write: No such file or directory");
   EXPECT_EQ(message([&] { const OutputFile file(folder.path()); }),
             folder.path().string() + ": cannot write: Is a directory");
+  EXPECT_EQ(message([] { const OutputFile file("/dev/null"); }),
+            "/dev/null: cannot write: not a regular file");
 }
 
 TEST(FileIo, NoticesAFullDisk) {

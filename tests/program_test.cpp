@@ -385,7 +385,7 @@ class Interrupt : public Program {
   void SetUp() override {
     Program::SetUp();
     mesh_ = folder_.path() / "sphere.ply";
-    ASSERT_EQ(geolloyd_with("generate sphere -t 400000 -o " + mesh_.string()).status, 0);
+    ASSERT_EQ(geolloyd_with("generate icosphere -t 400000 -o " + mesh_.string()).status, 0);
   }
 
   [[nodiscard]] Running start() const {

@@ -20,7 +20,7 @@ using Shape = Mesh (*)(std::size_t triangles, std::uint64_t random_seed);
 const std::vector<Named<Shape>> shape_names = {
     {"creature", creature},
     {"plane", irregular_plane},
-    {"sphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
+    {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
     {"torus", torus},
 };
 

@@ -63,6 +63,7 @@ void check_target(const std::filesystem::path& target,
   const OutputFile probe(target);
   std::error_code error;
   for (const std::filesystem::path& other : others) {
+    if (other.empty()) continue;
     if (std::filesystem::equivalent(target, other, error) ||
         std::filesystem::weakly_canonical(target, error) ==
             std::filesystem::weakly_canonical(other, error)) {
