@@ -169,7 +169,6 @@ void print_summary(const RunRecord& run) {
   const Relaxation& result = run.relaxation;
   const StepCounts steps = count_steps(result);
   const Graph& graph = run.mesh_graph.graph;
-  const double initial = result.steps.empty() ? result.energy : result.steps.front().energy;
   const double hexagonal = hexagonal_energy(run);
   const StageSeconds& s = run.seconds;
   fmt::print("{}\n{}", run.arguments.mesh.string(), describe(run.input, run.facts));
@@ -184,7 +183,7 @@ void print_summary(const RunRecord& run) {
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
-  fmt::print("  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial, result.energy,
+  fmt::print("  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial_energy(result), result.energy,
              hexagonal > 0
                  ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");

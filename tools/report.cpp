@@ -105,6 +105,10 @@ Json steps_part(const Relaxation& relaxation) {
 
 }  // namespace
 
+double initial_energy(const Relaxation& relaxation) {
+  return relaxation.steps.empty() ? relaxation.energy : relaxation.steps.front().energy;
+}
+
 StepCounts count_steps(const Relaxation& relaxation) {
   StepCounts counts;
   for (const Step& step : relaxation.steps) {
@@ -137,8 +141,7 @@ Json make_report(const RunRecord& run) {
   report["end"] = name_of(end_names, relaxation.end);
   report["interrupted"] = relaxation.end == End::interrupted;
   report["steps"] = steps_part(relaxation);
-  report["energy_initial"] =
-      relaxation.steps.empty() ? relaxation.energy : relaxation.steps.front().energy;
+  report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;
   report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);

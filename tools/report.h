@@ -18,6 +18,9 @@ std::string fingerprint_text(std::uint64_t fingerprint);
 /// Most memory this process has held, bytes.
 std::uint64_t peak_memory_bytes();
 
+/// Of the first seeds.
+double initial_energy(const Relaxation& relaxation);
+
 /// Sums over the steps of a trace.
 struct StepCounts {
   std::size_t greedy = 0;
