@@ -343,20 +343,20 @@ TEST_F(Program, HandlesNamesWithBlanksAndOtherAlphabets) {
   EXPECT_EQ(report_in(out())["interrupted"], false);
 }
 
-// The program in the background, once it catches interrupts, which is when the relaxation begins.
+// The program in the background, once `folder` is there: then it catches interrupts.
 class Running {
  public:
-  Running(const std::vector<std::string>& arguments, const fs::path& text) {
-    id_ = ::fork();
+  Running(const std::vector<std::string>& arguments, const fs::path& text, const fs::path& folder)
+      : id_(::fork()) {
     if (id_ == 0) {
-      std::freopen(text.c_str(), "w", stdout);
+      if (std::freopen(text.c_str(), "w", stdout) == nullptr) ::_exit(126);
       std::vector<char*> argv = {const_cast<char*>(GEOLLOYD_PROGRAM)};
       for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
       argv.push_back(nullptr);
       ::execv(GEOLLOYD_PROGRAM, argv.data());
       ::_exit(127);
     }
-    while (!catches_interrupts()) ::usleep(10'000);
+    while (!fs::exists(folder) && ::kill(id_, 0) == 0) ::usleep(1000);
   }
 
   void send(int signal) const { ::kill(id_, signal); }
@@ -369,13 +369,6 @@ class Running {
   }
 
  private:
-  [[nodiscard]] bool catches_interrupts() const {
-    const std::string status = read_file("/proc/" + std::to_string(id_) + "/status");
-    const std::size_t mask = status.find("SigCgt:");
-    if (mask == std::string::npos) return true;  // it has ended
-    return (std::stoull(status.substr(mask + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
-  }
-
   pid_t id_;
 };
 
@@ -390,7 +383,8 @@ class Interrupt : public Program {
 
   [[nodiscard]] Running start() const {
     return {{"relax", mesh_.string(), "-o", out().string(), "--seeds", "500", "--init", "random"},
-            folder_.path() / "text"};
+            folder_.path() / "text",
+            out()};
   }
 };
 

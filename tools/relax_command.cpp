@@ -214,8 +214,8 @@ void run_relax(const RelaxArguments& arguments) {
   }
   progress.stage("choosing seeds");
   std::vector<NodeId> seeds = first_seeds(run);
+  catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
-  catch_interrupts();
   relax_seeds(run, std::move(seeds), progress);
 
   progress.stage("writing " + arguments.output.string());
