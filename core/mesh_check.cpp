@@ -90,8 +90,7 @@ MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges) {
   const bool may_repeat = count_edges(mesh, edges, facts);
   count_triangles(mesh, may_repeat ? duplicate_triangles(mesh, edges) : std::vector<TriangleId>(),
                   facts);
-  // The triangles at an edge without length have no area either, so mostly there is nothing to look
-  // at.
+  // The triangles at an edge without length have no area either: mostly there are none to look for.
   if (facts.zero_area_triangles + facts.duplicate_triangles > 0) {
     count_zero_length_edges(mesh, edges, facts);
   }
