@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <span>
+#include <vector>
+
+#include "parallel/scheduler.h"
+
+namespace geolloyd {
+
+/// Keeps the first exception of several threads, for the one that waits for them.
+class FirstError {
+ public:
+  template <class Work>
+  void guard(Work&& work) {
+    try {
+      work();
+    } catch (...) {
+      if (!met_.exchange(true, std::memory_order_acq_rel)) error_ = std::current_exception();
+    }
+  }
+  [[nodiscard]] bool met() const { return met_.load(std::memory_order_relaxed); }
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::atomic<bool> met_{false};
+  std::exception_ptr error_;
+};
+
+/// Calls body(begin, end, worker) for ranges of at most `grain` that make up [0, count), in no
+/// particular order; whoever is free takes the next. No two calls with the same `worker` run at
+/// once. An exception ends the work and reaches the caller.
+template <class Body>
+void for_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&& body) {
+  if (scheduler.threads() == 1 || count <= grain) {
+    for (std::size_t begin = 0; begin < count; begin += grain) {
+      body(begin, std::min(begin + grain, count), std::size_t{0});
+    }
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  FirstError error;
+  scheduler.run([&](std::size_t worker) {
+    error.guard([&] {
+      while (!error.met()) {
+        const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);
+        if (begin >= count) return;
+        body(begin, std::min(begin + grain, count), worker);
+      }
+    });
+  });
+  error.rethrow();
+}
+
+/// The same, item by item: body(i).
+template <class Body>
+void for_items(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&& body) {
+  for_ranges(scheduler, count, grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+/// Sum of body(begin, end) over such ranges. For types whose sum is exact, the same every time.
+template <class Sum, class Body>
+Sum sum_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&& body) {
+  std::vector<Sum> of_worker(scheduler.threads(), Sum{0});
+  for_ranges(scheduler, count, grain, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+    of_worker[worker] += body(begin, end);
+  });
+  Sum sum{0};
+  for (const Sum& s : of_worker) sum += s;
+  return sum;
+}
+
+/// Replaces each value by the sum of those before it and returns the sum of all.
+template <class T>
+T exclusive_scan(Scheduler& scheduler, std::span<T> values) {
+  constexpr std::size_t grain = 1 << 15;
+  std::vector<T> before((values.size() + grain - 1) / grain, T{0});
+  for_ranges(scheduler, values.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+    T sum{0};
+    for (std::size_t i = begin; i < end; ++i) sum += values[i];
+    before[begin / grain] = sum;
+  });
+  T total{0};
+  for (T& b : before) {
+    const T sum = b;
+    b = total;
+    total += sum;
+  }
+  for_ranges(scheduler, values.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
+    T running = before[begin / grain];
+    for (std::size_t i = begin; i < end; ++i) {
+      const T value = values[i];
+      values[i] = running;
+      running += value;
+    }
+  });
+  return total;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,51 @@
+#include "parallel/scheduler.h"
+
+#include <atomic>
+#include <thread>
+
+namespace geolloyd {
+namespace {
+
+// The hand-over between threads is made by these atomics too, and not only inside the threading
+// library, so that ThreadSanitizer, which cannot see into that, knows of it.
+struct Job {
+  const std::function<void(std::size_t)>& work;
+  std::atomic<bool> open{false};
+  std::atomic<std::size_t> done{0};
+};
+
+void enter(void* context, std::size_t worker) {
+  Job& job = *static_cast<Job*>(context);
+  if (!job.open.load(std::memory_order_acquire)) return;  // never: opened before any thread enters
+  job.work(worker);
+  job.done.fetch_add(1, std::memory_order_release);
+}
+
+std::size_t resolve(std::size_t threads) {
+  const std::size_t all = std::thread::hardware_concurrency();
+  return threads != 0 ? threads : all != 0 ? all : 1;
+}
+
+}  // namespace
+
+Scheduler::Scheduler(std::size_t threads, Backend backend)
+    : threads_(resolve(threads)), backend_(backend) {
+  if (backend == Backend::tbb && threads_ > 1) tbb_ = make_tbb_pool(threads_);
+}
+
+void Scheduler::run(const std::function<void(std::size_t)>& work) {
+  if (threads_ == 1) {
+    work(0);
+    return;
+  }
+  Job job{work};
+  job.open.store(true, std::memory_order_release);
+  if (backend_ == Backend::tbb) {
+    run_on_tbb(*tbb_, threads_, enter, &job);
+  } else {
+    run_on_openmp(threads_, enter, &job);
+  }
+  while (job.done.load(std::memory_order_acquire) != threads_) std::this_thread::yield();
+}
+
+}  // namespace geolloyd

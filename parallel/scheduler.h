@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "parallel/backends.h"
+
+namespace geolloyd {
+
+/// Whose threads do the work: oneTBB's or OpenMP's.
+enum class Backend { tbb, openmp };
+
+/// The threads that the parallel twins of core's functions work on. Everything parallel is said in
+/// terms of run(), by way of primitives.h; results never depend on the number of threads, on the
+/// backend, or on who did what. To be used by one thread at a time.
+class Scheduler {
+ public:
+  /// `threads` 0: as many as the machine has. More than that is allowed, and slower.
+  explicit Scheduler(std::size_t threads = 0, Backend backend = Backend::tbb);
+  Scheduler(const Scheduler&) = delete;
+  Scheduler& operator=(const Scheduler&) = delete;
+  ~Scheduler() = default;
+
+  [[nodiscard]] std::size_t threads() const { return threads_; }
+  [[nodiscard]] Backend backend() const { return backend_; }
+
+  /// Calls `work` once with each number in [0, threads()), as many at a time as there are threads,
+  /// the caller's among them, and returns when all have. What the caller wrote before, they see;
+  /// what they wrote, the caller sees after. `work` must not throw.
+  void run(const std::function<void(std::size_t worker)>& work);
+
+ private:
+  std::size_t threads_;
+  Backend backend_;
+  TbbPoolPointer tbb_;  // null where not used
+};
+
+}  // namespace geolloyd
