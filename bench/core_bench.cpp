@@ -152,10 +152,9 @@ void macrostep(benchmark::State& state) {
     std::vector<NodeId> seeds = start;
     engine->partition(seeds);
     state.ResumeTiming();
-    engine->macrostep(seeds, {keeps_seed, true, true}, [&](const Microstep& m) {
-      visits += m.node_visits;
-      return true;
-    });
+    const auto microsteps =
+        engine->macrostep(seeds, {keeps_seed, true, true}, [](std::uint32_t) { return true; });
+    for (const Microstep& m : microsteps) visits += m.node_visits;
   }
   state.counters["node visits/s"] =
       benchmark::Counter(static_cast<double>(visits), benchmark::Counter::kIsRate);

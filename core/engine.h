@@ -23,7 +23,10 @@ struct KernelSeconds {
 /// One microstep of the precise phase, over all regions.
 struct Microstep {
   std::uint32_t seeds_moved = 0;
-  std::uint64_t node_visits = 0;  ///< nodes settled by the locked search
+  std::uint64_t node_visits =
+      0;  ///< nodes that the definition searches, however few an engine does
+
+  friend bool operator==(const Microstep&, const Microstep&) = default;
 };
 
 struct MacrostepOptions {
@@ -50,14 +53,16 @@ class Engine {
   /// One greedy_candidate per region (seed_move.h).
   virtual std::vector<NodeId> greedy_candidates(std::span<const NodeId> seeds, bool extended) = 0;
 
-  /// Called after each microstep; false asks the engine to leave the macrostep.
-  using OnMicrostep = std::function<bool(const Microstep&)>;
+  /// Told, now and then and by the calling thread, how many seeds are still moving; false asks the
+  /// engine to leave the macrostep, with the seeds wherever they are.
+  using KeepGoing = std::function<bool(std::uint32_t seeds_moving)>;
   /// Locks the regions of the last partition() and moves `seeds` until none moves any more. The
   /// first microstep needs no search: with the seeds of a free partition, locking changes no key.
-  virtual void macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
-                         const OnMicrostep& on_microstep) = 0;
+  virtual std::vector<Microstep> macrostep(std::vector<NodeId>& seeds,
+                                           const MacrostepOptions& options,
+                                           const KeepGoing& keep_going) = 0;
 
-  /// The state as it is, for reading; valid until the next call.
+  /// Result of the last partition(); a macrostep spoils it.
   [[nodiscard]] virtual const Partition& current() const = 0;
   /// Time spent so far; `other` is the caller's to fill.
   [[nodiscard]] virtual const KernelSeconds& seconds() const = 0;

@@ -49,8 +49,9 @@ class ReferenceEngine final : public Engine {
     return candidates;
   }
 
-  void macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
-                 const OnMicrostep& on_microstep) override {
+  std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
+                                   const KeepGoing& keep_going) override {
+    std::vector<Microstep> microsteps;
     std::vector<RegionId> searched(seeds.size());
     std::iota(searched.begin(), searched.end(), RegionId{0});
     node_score_.assign(graph_.node_count(), never_scored);
@@ -59,7 +60,8 @@ class ReferenceEngine final : public Engine {
     for (std::uint64_t visits = 0;; visits = settled_.size()) {
       std::vector<RegionId> moved = move_seeds(seeds, searched, options);
       const auto count = static_cast<std::uint32_t>(moved.size());
-      if (!on_microstep({count, visits}) || moved.empty()) return;
+      microsteps.push_back({count, visits});
+      if (!keep_going(count) || moved.empty()) return microsteps;
       if (options.microstep_skip) searched = std::move(moved);
       search(seeds, searched);
       sum_settled_subtrees();

@@ -43,7 +43,7 @@ class LloydLoop {
       const bool goes_on = run_step(Phase::greedy, [&](Step& record) {
         const std::vector<NodeId> candidates = engine_.greedy_candidates(result_.seeds, extended());
         record.seeds_moved = move_greedily(candidates, has_been_seed);
-        return notify({Phase::greedy, step, 0, record.seeds_moved, record.energy});
+        return notify({Phase::greedy, step, record.seeds_moved, record.energy});
       });
       if (!goes_on || result_.steps.back().seeds_moved == 0) return;
     }
@@ -88,15 +88,15 @@ class LloydLoop {
 
     const std::vector<NodeId> before = result_.seeds;
     bool goes_on = true;
-    engine_.macrostep(result_.seeds, {keeps_seed, extended(), options_.microstep_skip},
-                      [&](const Microstep& microstep) {
-                        record.microsteps.push_back(microstep);
-                        record.node_visits += microstep.node_visits;
-                        goes_on = notify({Phase::precise, step,
-                                          static_cast<std::uint32_t>(record.microsteps.size()),
-                                          microstep.seeds_moved, record.energy});
-                        return goes_on;
-                      });
+    record.microsteps = engine_.macrostep(
+        result_.seeds, {keeps_seed, extended(), options_.microstep_skip},
+        [&](std::uint32_t seeds_moving) {
+          goes_on = goes_on && notify({Phase::precise, step, seeds_moving, record.energy});
+          return goes_on;
+        });
+    for (const Microstep& microstep : record.microsteps) {
+      record.node_visits += microstep.node_visits;
+    }
     for (std::size_t r = 0; r < regions; ++r) {
       if (result_.seeds[r] != before[r]) ++record.seeds_moved;
     }

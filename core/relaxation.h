@@ -58,16 +58,15 @@ struct Relaxation {
   std::uint64_t fingerprint = 0;  ///< of the states at the start of each step, and of the last one
 };
 
-/// Where a relaxation stands, after each greedy step and each microstep.
+/// Where a relaxation stands: after each greedy step, and now and then during a macrostep.
 struct Progress {
   Phase phase;
-  std::uint32_t step;       ///< counts from 1 in each phase
-  std::uint32_t microstep;  ///< counts from 1; 0 in the greedy phase
-  std::uint32_t seeds_moved;
+  std::uint32_t step;  ///< counts from 1 in each phase
+  std::uint32_t seeds_moving;
   double energy;  ///< at the start of the step
 };
 
-/// Returns false to stop after the current step.
+/// Returns false to stop as soon as possible. Called by the thread that called relax().
 using Observer = std::function<bool(const Progress&)>;
 
 /// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise

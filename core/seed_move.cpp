@@ -3,8 +3,8 @@
 namespace geolloyd {
 namespace {
 
-bool same_region(const Partition& partition, NodeId a, NodeId b) {
-  return region_of(partition.key[a]) == region_of(partition.key[b]);
+bool same_region(const std::vector<Key>& keys, NodeId a, NodeId b) {
+  return region_of(keys[a]) == region_of(keys[b]);
 }
 
 Uint128 weight(const SubtreeSums& sums, NodeId v) {
@@ -35,25 +35,32 @@ Uint128 heuristic(const SeedMoveView& view, NodeId seed, NodeId v) {
 NodeId greedy_candidate(const SeedMoveView& view, NodeId seed) {
   Best best;
   for (const NodeId v : view.graph.neighbours(seed)) {
-    if (same_region(view.partition, seed, v)) best.offer(v, heuristic(view, seed, v));
+    if (same_region(view.partition.key, seed, v)) best.offer(v, heuristic(view, seed, v));
   }
   return best.node;
 }
 
-NodeId precise_candidate(const SeedMoveView& view, std::span<const Score> score, NodeId seed) {
+NodeId lower_neighbour(const Graph& graph, const std::vector<Key>& keys,
+                       std::span<const Score> score, NodeId seed) {
   NodeId lower = no_id;
   Score lowest = score[seed];
+  for (const NodeId v : graph.neighbours(seed)) {
+    if (score[v] >= lowest || !same_region(keys, seed, v)) continue;
+    lower = v;
+    lowest = score[v];
+  }
+  return lower;
+}
+
+NodeId precise_candidate(const SeedMoveView& view, std::span<const Score> score, NodeId seed) {
+  const NodeId lower = lower_neighbour(view.graph, view.partition.key, score, seed);
+  if (lower != no_id) return lower;
   Best unscored;
   for (const NodeId v : view.graph.neighbours(seed)) {
-    if (!same_region(view.partition, seed, v)) continue;
-    if (score[v] < lowest) {
-      lower = v;
-      lowest = score[v];
-    } else if (score[v] == never_scored && lower == no_id) {
-      unscored.offer(v, heuristic(view, seed, v));
-    }
+    if (score[v] != never_scored || !same_region(view.partition.key, seed, v)) continue;
+    unscored.offer(v, heuristic(view, seed, v));
   }
-  return lower != no_id ? lower : unscored.node;
+  return unscored.node;
 }
 
 }  // namespace geolloyd

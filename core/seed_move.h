@@ -27,10 +27,14 @@ Uint128 heuristic(const SeedMoveView& view, NodeId seed, NodeId v);
 /// no_id where it has none.
 NodeId greedy_candidate(const SeedMoveView& view, NodeId seed);
 
-/// Where the precise phase moves `seed`: of the neighbours in its region that have a score, the one
-/// with the lowest if that is below the seed's own (the smallest node of equals); else of those
-/// never scored the one with the largest heuristic; else no_id, the seed stays. `score` holds one
-/// per node.
+/// Of the neighbours of `seed` in its region that have a score, the one with the lowest if that is
+/// below the seed's own, the smallest node of equals; else no_id. `score` holds one per node.
+NodeId lower_neighbour(const Graph& graph, const std::vector<Key>& keys,
+                       std::span<const Score> score, NodeId seed);
+
+/// Where the precise phase moves `seed`: to its lower_neighbour if it has one; else of the
+/// neighbours in its region never scored to that with the largest heuristic, the smallest node of
+/// equals; else no_id, the seed stays.
 NodeId precise_candidate(const SeedMoveView& view, std::span<const Score> score, NodeId seed);
 
 }  // namespace geolloyd

@@ -230,10 +230,10 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
     std::vector<NodeId> greedy_candidates(std::span<const NodeId>, bool) override {
       return {no_id};
     }
-    void macrostep(std::vector<NodeId>& seeds, const MacrostepOptions&,
-                   const OnMicrostep& on_microstep) override {
+    std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions&,
+                                     const KeepGoing&) override {
       seeds[0] = 1 - seeds[0];
-      on_microstep({1, 0});
+      return {{1, 0}};
     }
     const Partition& current() const override { return partition_; }
     const KernelSeconds& seconds() const override { return seconds_; }

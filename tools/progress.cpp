@@ -30,10 +30,9 @@ void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
   if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return;
   last_shown_ = watch_.seconds();
   const bool greedy = progress.phase == Phase::greedy;
-  const std::string step = greedy ? fmt::format("greedy {}", progress.step)
-                                  : fmt::format("precise {}.{}", progress.step, progress.microstep);
-  print(fmt::format("{:<14} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s", step,
-                    bar(progress.seeds_moved, seed_count), progress.seeds_moved, seed_count,
+  print(fmt::format("{:<7} {:<4} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s",
+                    greedy ? "greedy" : "precise", progress.step,
+                    bar(progress.seeds_moving, seed_count), progress.seeds_moving, seed_count,
                     progress.energy, watch_.seconds()));
 }
 
