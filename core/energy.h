@@ -14,13 +14,17 @@ using Score = Uint128;
 /// Of a node that has not been the seed since scores were last forgotten.
 inline constexpr Score never_scored = std::numeric_limits<Score>::max();
 
+/// Share of a node in the score of its region.
+inline Score node_score(std::uint64_t distance, std::uint32_t mass) {
+  const std::uint64_t squared = distance * distance;
+  return Uint128{squared} * mass;
+}
+
 /// Adds distance^2 * mass of each of `nodes` to the score of its region. Exact; order is free.
 inline void add_scores(const Graph& graph, const std::vector<Key>& keys,
                        std::span<const NodeId> nodes, std::span<Score> region_score) {
   for (const NodeId v : nodes) {
-    const std::uint64_t distance = distance_of(keys[v]);
-    const std::uint64_t squared = distance * distance;
-    region_score[region_of(keys[v])] += Uint128{squared} * graph.mass[v];
+    region_score[region_of(keys[v])] += node_score(distance_of(keys[v]), graph.mass[v]);
   }
 }
 

@@ -1,18 +1,9 @@
 #include "core/fingerprint.h"
 
-#include "core/random.h"
-
 namespace geolloyd {
-namespace {
 
-// Odd, from the golden ratio: keeps equal contents at different places apart.
-constexpr std::uint64_t stride = 0x9e3779b97f4a7c15u;
-
-std::uint64_t at_place(std::uint64_t place, std::uint64_t content) {
-  return mix_bits(content + (place + 1) * stride);
-}
-
-}  // namespace
+using fingerprint_detail::at_place;
+using fingerprint_detail::stride;
 
 std::uint64_t digest(std::span<const NodeId> seeds) {
   std::uint64_t sum = 0;
@@ -21,11 +12,15 @@ std::uint64_t digest(std::span<const NodeId> seeds) {
 }
 
 std::uint64_t digest(std::span<const NodeId> seeds, const Partition& partition) {
-  std::uint64_t sum = digest(seeds);
-  for (std::size_t v = 0; v < partition.key.size(); ++v) {
-    sum += mix_bits(at_place(v, partition.key[v]) ^ partition.parent[v]);
+  std::uint64_t sum = 0;
+  for (NodeId v = 0; v < partition.key.size(); ++v) {
+    sum += digest(v, partition.key[v], partition.parent[v]);
   }
-  return mix_bits(sum);
+  return digest(seeds, sum);
+}
+
+std::uint64_t digest(std::span<const NodeId> seeds, std::uint64_t sum_of_nodes) {
+  return mix_bits(digest(seeds) + sum_of_nodes);
 }
 
 std::uint64_t chain(std::uint64_t fingerprint, std::uint64_t next_digest) {

@@ -1,9 +1,8 @@
 #include "core/forest.h"
 
 namespace geolloyd {
-namespace {
 
-NodeId parent_of(const Graph& graph, const std::vector<Key>& keys, NodeId v) {
+NodeId derive_parent(const Graph& graph, const std::vector<Key>& keys, NodeId v) {
   for (ArcId a = graph.first_arc[v]; a < graph.first_arc[v + 1]; ++a) {
     const NodeId u = graph.target[a];
     if (keys[u] != unreached && along(keys[u], graph.length[a]) == keys[v]) return u;
@@ -11,11 +10,9 @@ NodeId parent_of(const Graph& graph, const std::vector<Key>& keys, NodeId v) {
   return no_id;
 }
 
-}  // namespace
-
 void derive_parents(const Graph& graph, const std::vector<Key>& keys, std::span<const NodeId> nodes,
                     std::vector<NodeId>& parents) {
-  for (const NodeId v : nodes) parents[v] = parent_of(graph, keys, v);
+  for (const NodeId v : nodes) parents[v] = derive_parent(graph, keys, v);
 }
 
 }  // namespace geolloyd

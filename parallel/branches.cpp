@@ -1,0 +1,139 @@
+#include "parallel/branches.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "parallel/primitives.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::uint32_t unknown = no_branch - 1;
+
+// Two threads may tell a node its branch at once. Both tell it the same.
+std::uint32_t load(const std::uint32_t& branch) {
+  return std::atomic_ref(const_cast<std::uint32_t&>(branch)).load(std::memory_order_relaxed);
+}
+void store(std::uint32_t& branch, std::uint32_t value) {
+  std::atomic_ref(branch).store(value, std::memory_order_relaxed);
+}
+
+std::uint32_t find_branch(const Partition& partition, NodeId v, BranchOf& branch_of) {
+  NodeId known = v;
+  while (load(branch_of[known]) == unknown) known = partition.parent[known];
+  const std::uint32_t branch = load(branch_of[known]);
+  for (NodeId u = v; u != known; u = partition.parent[u]) store(branch_of[u], branch);
+  return branch;
+}
+
+// Where the branch of the seed's neighbour `w` hangs: the number of the arc to a neighbour above
+// it, or no_branch where it hangs from the seed.
+std::uint32_t branch_above(const Partition& partition, NodeId seed, NodeId w,
+                           const BranchOf& branch_of) {
+  return partition.parent[w] == seed ? no_branch : branch_of[partition.parent[w]];
+}
+
+bool same_region(const std::vector<Key>& keys, NodeId a, NodeId b) {
+  return region_of(keys[a]) == region_of(keys[b]);
+}
+
+}  // namespace
+
+void forget_branches(std::span<const NodeId> nodes, BranchOf& branch_of) {
+  for (const NodeId v : nodes) branch_of[v] = unknown;
+}
+
+void mark_branches(const Graph& graph, const std::vector<Key>& keys, NodeId seed,
+                   BranchOf& branch_of) {
+  const std::span<const NodeId> neighbours = graph.neighbours(seed);
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    if (same_region(keys, seed, neighbours[i])) branch_of[neighbours[i]] = i;
+  }
+  branch_of[seed] = no_branch;
+}
+
+void add_to_branches(const Graph& graph, const Partition& partition, std::span<const NodeId> nodes,
+                     BranchOf& branch_of, std::span<BranchSum> sums) {
+  for (const NodeId v : nodes) {
+    const std::uint32_t branch = find_branch(partition, v, branch_of);
+    if (branch == no_branch) continue;
+    sums[branch].cost += distance_of(partition.key[v]);
+    sums[branch].mass += graph.mass[v];
+  }
+}
+
+void add_up_branches(const Graph& graph, const Partition& partition, NodeId seed,
+                     const BranchOf& branch_of, std::span<BranchSum> sums, SubtreeSums& sums_at) {
+  const std::span<const NodeId> neighbours = graph.neighbours(seed);
+  std::vector<std::uint32_t> hanging;
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    const NodeId w = neighbours[i];
+    if (same_region(partition.key, seed, w) && partition.parent[w] != seed) hanging.push_back(i);
+  }
+  // Farthest first: what hangs from a branch is farther than the branch.
+  std::sort(hanging.begin(), hanging.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return partition.key[neighbours[a]] > partition.key[neighbours[b]];
+  });
+  for (const std::uint32_t i : hanging) {
+    const std::uint32_t above = branch_above(partition, seed, neighbours[i], branch_of);
+    sums[above].cost += sums[i].cost;
+    sums[above].mass += sums[i].mass;
+  }
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    if (!same_region(partition.key, seed, neighbours[i])) continue;
+    sums_at.cost[neighbours[i]] = sums[i].cost;
+    sums_at.mass[neighbours[i]] = sums[i].mass;
+  }
+}
+
+void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
+                   const Partition& partition, const Members& members,
+                   std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at) {
+  const auto nodes_of = [&](const Piece& p) {
+    return std::span<const NodeId>(members.node).subspan(p.begin, p.end - p.begin);
+  };
+  constexpr std::size_t grain = 8;
+  // First in its region: there the region begins, and its sums are gathered.
+  const auto is_first = [&](std::size_t i) {
+    return pieces[i].begin == members.first[pieces[i].region];
+  };
+  for_items(scheduler, pieces.size(), grain,
+            [&](std::size_t i) { forget_branches(nodes_of(pieces[i]), branch_of); });
+  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
+    if (is_first(i)) mark_branches(graph, partition.key, seeds[pieces[i].region], branch_of);
+  });
+  std::vector<std::vector<BranchSum>> sums(pieces.size());
+  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
+    sums[i].resize(graph.neighbours(seeds[pieces[i].region]).size());
+    add_to_branches(graph, partition, nodes_of(pieces[i]), branch_of, sums[i]);
+  });
+  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
+    if (!is_first(i)) return;
+    const RegionId region = pieces[i].region;
+    for (std::size_t j = i + 1; j < pieces.size() && pieces[j].region == region; ++j) {
+      for (std::size_t b = 0; b < sums[i].size(); ++b) {
+        sums[i][b].cost += sums[j][b].cost;
+        sums[i][b].mass += sums[j][b].mass;
+      }
+    }
+    add_up_branches(graph, partition, seeds[region], branch_of, sums[i], sums_at);
+  });
+}
+
+void find_branches_below(const Graph& graph, const Partition& partition, NodeId seed,
+                         const BranchOf& branch_of, NodeId top, std::vector<std::uint8_t>& below) {
+  const std::span<const NodeId> neighbours = graph.neighbours(seed);
+  below.assign(neighbours.size(), 0);
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    if (!same_region(partition.key, seed, neighbours[i])) continue;
+    NodeId w = neighbours[i];
+    while (w != top) {
+      const std::uint32_t above = branch_above(partition, seed, w, branch_of);
+      if (above == no_branch) break;
+      w = neighbours[above];
+    }
+    below[i] = w == top ? 1 : 0;
+  }
+}
+
+}  // namespace geolloyd

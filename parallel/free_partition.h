@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engine.h"
+#include "core/graph.h"
+#include "core/partition.h"
+#include "core/subtree.h"
+#include "parallel/branches.h"
+#include "parallel/members.h"
+#include "parallel/parallel_engine.h"
+#include "parallel/region_totals.h"
+#include "parallel/scheduler.h"
+
+namespace geolloyd {
+
+/// The partition, regions free, of seeds that move a little from time to time, and what depends on
+/// it region by region. Only regions in which something changed are gone through again.
+class FreePartition {
+ public:
+  FreePartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
+                KernelSeconds& seconds);
+
+  /// Finds the partition of `seeds` with its parents, members and totals.
+  void update(std::span<const NodeId> seeds);
+  /// Finds the subtree sums at the neighbours of the seeds, those of the last update().
+  void update_sums();
+
+  [[nodiscard]] const Partition& partition() const { return partition_; }
+  [[nodiscard]] const Members& members() const { return members_; }
+  [[nodiscard]] const RegionTotals& totals() const { return totals_; }
+  [[nodiscard]] const SubtreeSums& sums() const { return sums_; }
+  /// Sum over all nodes (fingerprint.h).
+  [[nodiscard]] std::uint64_t digest_of_nodes() const;
+
+  /// For the next update() to start from: somebody has moved the seeds to `seeds`, each within its
+  /// region, and set the keys of the region to the distances within it from there.
+  void moved_to(std::span<const NodeId> seeds);
+  [[nodiscard]] std::vector<Key>& keys() { return partition_.key; }
+  /// The same, but the keys are not to be trusted.
+  void forget() { has_partition_ = false; }
+
+ private:
+  using Flags = std::vector<std::uint8_t>;  // per region
+
+  [[nodiscard]] bool can_repair(std::span<const NodeId> seeds) const;
+  void search_from_scratch(std::span<const NodeId> seeds);
+  void sum_unreached();
+  void search_from_last(std::span<const NodeId> seeds);
+  void shift_keys(std::span<const RegionId> moved, std::span<const NodeId> seeds);
+  void derive_changed();
+
+  Scheduler& scheduler_;
+  const Graph& graph_;
+  Frontier frontier_;
+  std::uint32_t delta_;
+  KernelSeconds& seconds_;
+
+  bool has_partition_ = false;
+  std::vector<NodeId> seeds_;  // that the keys belong to
+  Partition partition_;
+  Members members_;
+  RegionTotals totals_;
+  std::uint64_t digest_of_unreached_ = 0;
+  Flags is_changed_;  // since the last update, in its parents or totals
+  Flags has_sums_;
+  BranchOf branch_of_;  // of regions that have sums
+  SubtreeSums sums_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,152 @@
+#include "parallel/parallel_engine.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "core/fingerprint.h"
+#include "core/seed_move.h"
+#include "core/stopwatch.h"
+#include "parallel/atomic_key.h"
+#include "parallel/free_partition.h"
+#include "parallel/primitives.h"
+#include "parallel/region_solver.h"
+
+namespace geolloyd {
+namespace {
+
+class ParallelEngine final : public Engine {
+ public:
+  ParallelEngine(Scheduler& scheduler, const Graph& graph, Frontier frontier)
+      : scheduler_(scheduler),
+        graph_(graph),
+        free_(scheduler, graph, frontier, seconds_),
+        local_of_(graph.node_count()) {
+    for (std::size_t t = 0; t < scheduler.threads(); ++t) {
+      solvers_.push_back(std::make_unique<RegionSolver>(stopped_));
+    }
+  }
+
+  void partition(std::span<const NodeId> seeds) override { free_.update(seeds); }
+
+  [[nodiscard]] std::span<const Score> region_scores() const override {
+    return free_.totals().score;
+  }
+
+  [[nodiscard]] std::uint64_t state_digest(std::span<const NodeId> seeds) const override {
+    return digest(seeds, free_.digest_of_nodes());
+  }
+
+  std::vector<NodeId> greedy_candidates(std::span<const NodeId> seeds, bool extended) override {
+    free_.update_sums();
+    const Timed timed(seconds_.movement);
+    const SeedMoveView view{graph_, free_.partition(), free_.sums(), extended};
+    std::vector<NodeId> candidates(seeds.size());
+    for_items(scheduler_, seeds.size(), 64,
+              [&](std::size_t r) { candidates[r] = greedy_candidate(view, seeds[r]); });
+    return candidates;
+  }
+
+  std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
+                                   const KeepGoing& keep_going) override {
+    const Stopwatch watch;
+    const std::vector<RegionId> active = active_regions(options);
+    std::vector<std::uint32_t> moves(seeds.size(), 0);
+    stopped_ = false;
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
+    for_ranges(scheduler_, active.size(), 1, [&](std::size_t i, std::size_t, std::size_t worker) {
+      if (stopped_) return;
+      const RegionId r = active[i];
+      moves[r] = settle_region(r, seeds[r], options.extended, *solvers_[worker]);
+      const std::uint32_t left = --moving;
+      if (std::this_thread::get_id() == caller && !keep_going(left)) stopped_ = true;
+    });
+    if (stopped_) {
+      free_.forget();
+    } else {
+      free_.moved_to(seeds);
+    }
+    share_out(watch.seconds());
+    return microsteps(moves, options.microstep_skip);
+  }
+
+  [[nodiscard]] const Partition& current() const override { return free_.partition(); }
+  [[nodiscard]] const KernelSeconds& seconds() const override { return seconds_; }
+
+ private:
+  // The largest first, so that at the end no thread is left alone with one of those.
+  [[nodiscard]] std::vector<RegionId> active_regions(const MacrostepOptions& options) const {
+    std::vector<RegionId> active;
+    for (RegionId r = 0; r < options.keeps_seed.size(); ++r) {
+      if (options.keeps_seed[r] == 0) active.push_back(r);
+    }
+    std::stable_sort(active.begin(), active.end(), [&](RegionId a, RegionId b) {
+      return free_.members().of(a).size() > free_.members().of(b).size();
+    });
+    return active;
+  }
+
+  // Moves `seed` to where it rests and returns in how many moves.
+  std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, RegionSolver& solver) {
+    LocalRegion& local = solver.local();
+    copy_region(graph_, free_.partition().key, free_.members().of(r), local_of_, local);
+    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended);
+    if (rest != seed) {
+      for (NodeId v = 0; v < local.size(); ++v) {
+        store_key(free_.keys()[local.node[v]], make_key(distance_of(local.partition.key[v]), r));
+      }
+    }
+    seed = rest;
+    return moves;
+  }
+
+  // What the definition's microsteps would have been, were they made one by one.
+  [[nodiscard]] std::vector<Microstep> microsteps(std::span<const std::uint32_t> moves,
+                                                  bool skip) const {
+    const std::uint32_t most = *std::max_element(moves.begin(), moves.end());
+    std::vector<Microstep> result(most + 1);
+    for (RegionId r = 0; r < moves.size(); ++r) {
+      for (std::uint32_t i = 0; i < moves[r]; ++i) ++result[i].seeds_moved;
+      for (std::uint32_t i = 0; i < (skip ? moves[r] : most); ++i) {
+        result[i + 1].node_visits += free_.members().of(r).size();
+      }
+    }
+    return result;
+  }
+
+  // The kernels of a macrostep run side by side: its time goes to them by their shares.
+  void share_out(double elapsed) {
+    KernelSeconds sum;
+    for (const auto& solver : solvers_) {
+      const KernelSeconds s = solver->take_seconds();
+      sum.locked_search += s.locked_search;
+      sum.subtree_sums += s.subtree_sums;
+      sum.scoring += s.scoring;
+      sum.movement += s.movement;
+    }
+    const double total = sum.locked_search + sum.subtree_sums + sum.scoring + sum.movement;
+    if (total == 0) return;
+    seconds_.locked_search += elapsed * sum.locked_search / total;
+    seconds_.subtree_sums += elapsed * sum.subtree_sums / total;
+    seconds_.scoring += elapsed * sum.scoring / total;
+    seconds_.movement += elapsed * sum.movement / total;
+  }
+
+  Scheduler& scheduler_;
+  const Graph& graph_;
+  KernelSeconds seconds_;
+  FreePartition free_;
+  std::vector<NodeId> local_of_;  // per node, its number within its region
+  std::atomic<bool> stopped_ = false;
+  std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_parallel_engine(Scheduler& scheduler, const Graph& graph,
+                                             Frontier frontier) {
+  return std::make_unique<ParallelEngine>(scheduler, graph, frontier);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,161 @@
+#include "parallel/region_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "core/forest.h"
+#include "core/stopwatch.h"
+
+namespace geolloyd {
+
+RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
+  extended_ = extended;
+  const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
+  auto at = static_cast<NodeId>(place - local_.node.begin());
+  begin(at, score);
+  std::uint32_t moves = 0;
+  while (!stopped_.load(std::memory_order_relaxed)) {
+    NodeId next = lower_neighbour(local_.graph, local_.partition.key, score_, at);
+    if (next == no_id) {
+      stand_at(at);
+      next = best_promise();
+    }
+    if (next == no_id) break;
+    if (score_[next] == never_scored) score_[next] = score_of(next);
+    at = next;
+    ++moves;
+  }
+  return {local_.node[at], moves};
+}
+
+void RegionSolver::begin(NodeId seed, Score score) {
+  const std::size_t nodes = local_.size();
+  score_.assign(nodes, never_scored);
+  ahead_.assign(nodes, never_scored);
+  score_[seed] = score;
+  if (all_.size() < nodes) {
+    all_.resize(nodes);
+    std::iota(all_.begin(), all_.end(), NodeId{0});
+    branch_of_.resize(nodes);
+    sums_.cost.resize(nodes);
+    sums_.mass.resize(nodes);
+    order_.resize(nodes);
+  }
+  stand_ = no_id;
+  sources_.clear();
+}
+
+void RegionSolver::stand_at(NodeId node) {
+  if (stand_ == node) return;
+  if (stand_ != no_id) move_keys_to(node);  // else they are there already
+  stand_ = node;
+  sources_.clear();
+  weigh_neighbours();
+}
+
+void RegionSolver::move_keys_to(NodeId node) {
+  auto source = std::find(sources_.begin(), sources_.end(), node);
+  if (source == sources_.end()) {
+    sources_.assign(1, node);
+    search_from_sources();
+    source = sources_.begin();
+  }
+  const Timed timed(seconds_.locked_search);
+  const auto lane = static_cast<std::size_t>(source - sources_.begin());
+  for (NodeId v = 0; v < local_.size(); ++v) {
+    local_.partition.key[v] = make_key(lanes_.distance(v, lane), 0);
+  }
+}
+
+void RegionSolver::weigh_neighbours() {
+  const Graph& graph = local_.graph;
+  const std::span<const NodeId> nodes = std::span(all_).first(local_.size());
+  {
+    const Timed timed(seconds_.locked_search);
+    derive_parents(graph, local_.partition.key, nodes, local_.partition.parent);
+  }
+  {
+    const Timed timed(seconds_.subtree_sums);
+    branch_sums_.assign(graph.neighbours(stand_).size(), {});
+    forget_branches(nodes, branch_of_);
+    mark_branches(graph, local_.partition.key, stand_, branch_of_);
+    add_to_branches(graph, local_.partition, nodes, branch_of_, branch_sums_);
+    add_up_branches(graph, local_.partition, stand_, branch_of_, branch_sums_, sums_);
+  }
+  const Timed timed(seconds_.movement);
+  const SeedMoveView view{graph, local_.partition, sums_, extended_};
+  promises_.clear();
+  for (const NodeId v : graph.neighbours(stand_)) {
+    if (score_[v] == never_scored) promises_.push_back({heuristic(view, stand_, v), v});
+  }
+  std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
+    return a.heuristic != b.heuristic ? a.heuristic > b.heuristic : a.node < b.node;
+  });
+}
+
+NodeId RegionSolver::best_promise() const {
+  for (const Promise& p : promises_) {
+    if (score_[p.node] == never_scored) return p.node;
+  }
+  return no_id;
+}
+
+Score RegionSolver::score_of(NodeId node) {
+  if (ahead_[node] == never_scored) look_ahead(node);
+  return ahead_[node];
+}
+
+// Fills the lanes with `node` and what may follow it.
+void RegionSolver::look_ahead(NodeId node) {
+  sources_.assign(1, node);
+  for (const Promise& p : promises_) {
+    if (sources_.size() == LaneSearch::lanes) break;
+    const bool wanted = score_[p.node] == never_scored && ahead_[p.node] == never_scored;
+    if (wanted && p.node != node) sources_.push_back(p.node);
+  }
+  search_from_sources();
+  const Timed timed(seconds_.scoring);
+  const auto scores = lanes_.scores(local_.graph);
+  for (std::size_t j = 0; j < sources_.size(); ++j) ahead_[sources_[j]] = scores[j];
+}
+
+void RegionSolver::search_from_sources() {
+  const Timed timed(seconds_.locked_search);
+  find_order();
+  offset_.resize(local_.graph.neighbours(stand_).size() + 1);
+  for (std::size_t j = 0; j < LaneSearch::lanes; ++j) offset_lane(j);
+  lanes_.run(local_.graph, sources_, {local_.partition.key, branch_of_, offset_},
+             std::span(order_).first(local_.size()));
+}
+
+// From a neighbour of the stand, what is in its subtree is nearer by its distance, and the rest
+// farther by that at most. From any other node all may be farther. Idle lanes do as the first.
+void RegionSolver::offset_lane(std::size_t lane) {
+  const NodeId source = sources_[lane < sources_.size() ? lane : 0];
+  const std::span<const NodeId> neighbours = local_.graph.neighbours(stand_);
+  const std::uint32_t distance = distance_of(local_.partition.key[source]);
+  const bool is_neighbour = std::binary_search(neighbours.begin(), neighbours.end(), source);
+  if (is_neighbour) {
+    find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
+  }
+  for (std::size_t b = 0; b < neighbours.size(); ++b) {
+    offset_[b].d[lane] = is_neighbour && below_[b] != 0 ? 0 - distance : distance;
+  }
+  offset_.back().d[lane] = distance;
+}
+
+// Sorts by distance, but for what falls into the same of as many buckets as nodes.
+void RegionSolver::find_order() {
+  const std::vector<Key>& keys = local_.partition.key;
+  std::uint32_t bits = 0;
+  for (const Key key : keys) bits |= distance_of(key);
+  const auto bucket_bits = static_cast<unsigned>(std::bit_width(keys.size()));
+  const unsigned shift = std::max<unsigned>(std::bit_width(bits), bucket_bits) - bucket_bits;
+  bucket_.assign((std::size_t{1} << bucket_bits) + 1, 0);
+  for (const Key key : keys) ++bucket_[(distance_of(key) >> shift) + 1];
+  for (std::size_t b = 1; b < bucket_.size(); ++b) bucket_[b] += bucket_[b - 1];
+  for (NodeId v = 0; v < keys.size(); ++v) order_[bucket_[distance_of(keys[v]) >> shift]++] = v;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/engine.h"
+#include "core/seed_move.h"
+#include "parallel/branches.h"
+#include "parallel/lane_search.h"
+#include "parallel/local_region.h"
+
+namespace geolloyd {
+
+/// Moves one seed within its locked region until it rests: all microsteps of a macrostep of that
+/// region, which needs nothing from outside. The course is the reference engine's, move by move,
+/// but most of its searches are never made:
+///
+/// * What a node's score is depends on the region and the node alone. The seed mostly goes to a
+///   neighbour, finds it no better, and comes back; back, nothing is new.
+/// * Such a visit asks for the score only. Subtree sums are needed where the seed *stands*, which
+///   is where it has no lower neighbour: there it compares those it has not been to.
+/// * Standing, it will want the scores of most of these. They are found together (lane_search.h).
+///
+/// One per thread; the memory is reused.
+class RegionSolver {
+ public:
+  struct Outcome {
+    NodeId seed;          ///< where it rests, in the whole graph
+    std::uint32_t moves;  ///< of the reference engine
+  };
+
+  explicit RegionSolver(const std::atomic<bool>& stopped) : stopped_(stopped) {}
+
+  /// Of the region copied into local(), from `seed` and its keys and score. Leaves there the keys
+  /// of where the seed came to rest. Once `stopped`, returns with the seed and the keys anywhere.
+  Outcome solve(NodeId seed, Score score, bool extended);
+
+  LocalRegion& local() { return local_; }
+  /// Time spent in here since this was last asked.
+  KernelSeconds take_seconds() { return std::exchange(seconds_, {}); }
+
+ private:
+  // A neighbour of the stand, and how promising it is.
+  struct Promise {
+    Uint128 heuristic;
+    NodeId node;
+  };
+
+  void begin(NodeId seed, Score score);
+  void stand_at(NodeId node);
+  void move_keys_to(NodeId node);
+  void find_order();
+  void weigh_neighbours();
+  NodeId best_promise() const;
+  Score score_of(NodeId node);
+  void look_ahead(NodeId node);
+  void search_from_sources();
+  void offset_lane(std::size_t lane);
+
+  const std::atomic<bool>& stopped_;
+  bool extended_ = true;
+  LocalRegion local_;
+
+  // By local node:
+  std::vector<Score> score_;  // of those that have been the seed
+  std::vector<Score> ahead_;  // of those that may come to be
+  std::vector<NodeId> all_;   // 0, 1, 2...
+
+  // Where the seed stands, its promises, best first, and by local node the branches and sums.
+  NodeId stand_ = no_id;
+  std::vector<Promise> promises_;
+  BranchOf branch_of_;
+  SubtreeSums sums_;
+
+  LaneSearch lanes_;
+  std::vector<NodeId> sources_;  // of the lanes; none where these are not of this stand
+
+  // Room for work.
+  std::vector<NodeId> order_;
+  std::vector<NodeId> bucket_;
+  std::vector<BranchSum> branch_sums_;
+  std::vector<LaneSearch::Lanes> offset_;
+  std::vector<std::uint8_t> below_;
+  KernelSeconds seconds_;
+};
+
+}  // namespace geolloyd
