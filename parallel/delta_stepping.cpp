@@ -1,6 +1,7 @@
 #include "parallel/delta_stepping.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "parallel/atomic_key.h"
 #include "parallel/primitives.h"
@@ -8,111 +9,142 @@
 namespace geolloyd {
 namespace {
 
-// What one thread has lowered, by distance / delta. On a line of its own in the cache.
-struct alignas(64) Buckets {
-  std::vector<std::vector<NodeId>> at;
-  std::vector<NodeId> again;  // being relaxed alone
+std::uint32_t mean_length(Scheduler& scheduler, const Graph& graph) {
+  const auto total = sum_ranges<std::uint64_t>(
+      scheduler, graph.arc_count(), 1 << 15, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t a = begin; a < end; ++a) sum += graph.length[a];
+        return sum;
+      });
+  return static_cast<std::uint32_t>(total / std::max<std::size_t>(graph.arc_count(), 1));
+}
 
-  void push(std::size_t bucket, NodeId v) {
-    if (at.size() <= bucket) at.resize(bucket + 1);
-    at[bucket].push_back(v);
-  }
-};
-
-class DeltaStepping {
- public:
-  DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint32_t delta,
-                std::vector<Key>& keys)
-      : scheduler_(scheduler),
-        graph_(graph),
-        delta_(delta),
-        keys_(keys),
-        buckets_(scheduler.threads()) {}
-
-  void run(std::span<const NodeId> seeds) {
-    for (RegionId r = 0; r < seeds.size(); ++r) keys_[seeds[r]] = make_key(0, r);
-    frontier_.assign(seeds.begin(), seeds.end());
-    for (std::size_t bucket = 0; !frontier_.empty(); bucket = take_next_bucket(bucket)) {
-      for_ranges(scheduler_, frontier_.size(), grain,
-                 [&](std::size_t begin, std::size_t end, std::size_t worker) {
-                   Buckets& mine = buckets_[worker];
-                   for (std::size_t i = begin; i < end; ++i) relax(frontier_[i], bucket, mine);
-                   go_on_alone(bucket, mine);
-                 });
-    }
-  }
-
- private:
-  static constexpr std::size_t grain = 256;
-
-  [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
-
-  // An entry whose node has come to lie in an earlier bucket is out of date: it was relaxed there.
-  void relax(NodeId v, std::size_t bucket, Buckets& mine) {
-    const Key key = load_key(keys_[v]);
-    if (bucket_of(key) < bucket) return;
-    for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
-      const NodeId u = graph_.target[a];
-      const Key offered = along(key, graph_.length[a]);
-      if (offered < lower_key(keys_[u], offered)) mine.push(bucket_of(offered), u);
-    }
-  }
-
-  // More than a few go back to all threads.
-  void go_on_alone(std::size_t bucket, Buckets& mine) {
-    constexpr std::size_t few = 1024;
-    while (bucket < mine.at.size() && !mine.at[bucket].empty() && mine.at[bucket].size() < few) {
-      mine.again.clear();
-      mine.again.swap(mine.at[bucket]);
-      for (const NodeId v : mine.again) relax(v, bucket, mine);
-    }
-  }
-
-  // Moves the first bucket not empty, from this one on, to the frontier; returns its number.
-  std::size_t take_next_bucket(std::size_t bucket) {
-    std::size_t next = no_id;
-    for (const Buckets& b : buckets_) {
-      for (std::size_t i = bucket; i < std::min(b.at.size(), next); ++i) {
-        if (!b.at[i].empty()) next = i;
-      }
-    }
-    frontier_.clear();
-    for (Buckets& b : buckets_) {
-      if (next >= b.at.size()) continue;
-      frontier_.insert(frontier_.end(), b.at[next].begin(), b.at[next].end());
-      std::vector<NodeId>().swap(b.at[next]);
-    }
-    return next;
-  }
-
-  Scheduler& scheduler_;
-  const Graph& graph_;
-  std::uint32_t delta_;
-  std::vector<Key>& keys_;
-  std::vector<Buckets> buckets_;
-  std::vector<NodeId> frontier_;
-};
+void set(std::uint8_t& flag) {
+  const std::atomic_ref shared(flag);
+  if (shared.load(std::memory_order_relaxed) == 0) shared.store(1, std::memory_order_relaxed);
+}
 
 }  // namespace
 
-std::uint32_t suitable_delta(Scheduler& scheduler, const Graph& graph) {
-  const auto total = sum_ranges<std::uint64_t>(scheduler, graph.arc_count(), 1 << 15,
-                                               [&](std::size_t begin, std::size_t end) {
-                                                 std::uint64_t sum = 0;
-                                                 for (std::size_t a = begin; a < end; ++a)
-                                                   sum += graph.length[a];
-                                                 return sum;
-                                               });
-  const std::uint64_t mean = graph.arc_count() == 0 ? 0 : total / graph.arc_count();
-  // Few enough buckets even where a few arcs are much longer than most.
-  constexpr std::uint64_t least = 1 << 12;
-  return static_cast<std::uint32_t>(std::max(mean, least));
+DeltaStepping::DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint32_t delta)
+    : scheduler_(scheduler), graph_(graph), delta_(delta), buckets_(scheduler.threads()) {
+  // Not so many buckets that they cost more than the nodes, where a few arcs are very long.
+  constexpr std::uint32_t least = 1 << 12;
+  if (delta_ == 0) delta_ = std::max(mean_length(scheduler, graph), least);
 }
 
-void search_free(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
-                 std::uint32_t delta, std::vector<Key>& keys) {
-  keys.assign(graph.node_count(), unreached);
-  DeltaStepping(scheduler, graph, delta, keys).run(seeds);
+void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys) {
+  keys.assign(graph_.node_count(), unreached);
+  for (RegionId r = 0; r < seeds.size(); ++r) {
+    keys[seeds[r]] = make_key(0, r);
+    buckets_.front().push(0, seeds[r]);
+  }
+  settle(keys, [](Key, Key) {});
+}
+
+void DeltaStepping::repair(const Members& members, std::span<const Piece> suspects,
+                           std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
+  const auto note_change = [&](Key before, Key after) {
+    if (before != unreached) set(is_changed[region_of(before)]);
+    set(is_changed[region_of(after)]);
+  };
+  for_ranges(scheduler_, suspects.size(), 1, [&](std::size_t i, std::size_t, std::size_t worker) {
+    const Piece& piece = suspects[i];
+    Buckets& mine = buckets_[worker];
+    for (NodeId m = piece.begin; m < piece.end; ++m) {
+      examine(members.node[m], keys, mine, note_change);
+    }
+    if (piece.end - piece.begin < members.of(piece.region).size()) return;
+    for (std::size_t bucket = 0; bucket < mine.at.size(); ++bucket) {
+      relax_alone(bucket, keys, mine, no_id, note_change);
+    }
+  });
+  settle(keys, note_change);
+}
+
+template <class OnLowered>
+void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
+  constexpr std::size_t grain = 256;
+  constexpr std::size_t few = 1024;  // more than these go back to all threads
+  for (std::size_t bucket = take_next_bucket(0); !frontier_.empty();
+       bucket = take_next_bucket(bucket)) {
+    for_ranges(scheduler_, frontier_.size(), grain,
+               [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                 Buckets& mine = buckets_[worker];
+                 for (std::size_t i = begin; i < end; ++i) {
+                   relax(frontier_[i], bucket, keys, mine, on_lowered);
+                 }
+                 relax_alone(bucket, keys, mine, few, on_lowered);
+               });
+  }
+}
+
+// Goes on with one bucket of a thread while fewer than `few` refill it.
+template <class OnLowered>
+void DeltaStepping::relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
+                                std::size_t few, OnLowered&& on_lowered) {
+  while (bucket < mine.at.size() && !mine.at[bucket].empty() && mine.at[bucket].size() < few) {
+    mine.again.clear();
+    mine.again.swap(mine.at[bucket]);
+    for (const NodeId v : mine.again) relax(v, bucket, keys, mine, on_lowered);
+  }
+}
+
+// An entry whose node has come to lie in an earlier bucket is out of date: it was relaxed there.
+template <class OnLowered>
+void DeltaStepping::relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
+                          OnLowered&& on_lowered) {
+  const Key key = load_key(keys[v]);
+  if (bucket_of(key) < bucket) return;
+  for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
+    const NodeId u = graph_.target[a];
+    const Key offered = along(key, graph_.length[a]);
+    const Key before = lower_key(keys[u], offered);
+    if (offered >= before) continue;
+    on_lowered(before, offered);
+    mine.push(bucket_of(offered), u);
+  }
+}
+
+// Offers to and from a node that may be lowered, or may lower others.
+template <class OnLowered>
+void DeltaStepping::examine(NodeId v, std::vector<Key>& keys, Buckets& mine,
+                            OnLowered&& on_lowered) {
+  const Key own = load_key(keys[v]);
+  Key lowest = own;
+  for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
+    const NodeId u = graph_.target[a];
+    const Key key = load_key(keys[u]);
+    if (key != unreached) lowest = std::min(lowest, along(key, graph_.length[a]));
+    const Key offered = along(own, graph_.length[a]);
+    if (own == unreached || offered >= key) continue;
+    const Key before = lower_key(keys[u], offered);
+    if (offered >= before) continue;
+    on_lowered(before, offered);
+    mine.push(bucket_of(offered), u);
+  }
+  if (lowest >= own) return;
+  const Key before = lower_key(keys[v], lowest);
+  if (lowest >= before) return;
+  on_lowered(before, lowest);
+  mine.push(bucket_of(lowest), v);
+}
+
+// Moves the first bucket that is not empty, from this one on, to the frontier.
+std::size_t DeltaStepping::take_next_bucket(std::size_t bucket) {
+  std::size_t next = no_id;
+  for (const Buckets& b : buckets_) {
+    for (std::size_t i = bucket; i < std::min(b.at.size(), next); ++i) {
+      if (!b.at[i].empty()) next = i;
+    }
+  }
+  frontier_.clear();
+  for (Buckets& b : buckets_) {
+    if (next >= b.at.size()) continue;
+    frontier_.insert(frontier_.end(), b.at[next].begin(), b.at[next].end());
+    b.at[next].clear();
+  }
+  return next;
 }
 
 }  // namespace geolloyd

@@ -6,19 +6,61 @@
 
 #include "core/graph.h"
 #include "core/partition.h"
+#include "parallel/members.h"
 #include "parallel/scheduler.h"
 
 namespace geolloyd {
 
-/// Width of a bucket that suits most graphs, ticks: about one mean arc.
-std::uint32_t suitable_delta(Scheduler& scheduler, const Graph& graph);
+/// Finds partitions, regions free, by delta-stepping (Meyer, Sanders 2003): nodes within `delta`
+/// ticks of distance are relaxed together, each thread collecting what it lowers in buckets of its
+/// own, and going on by itself while a bucket it refills is small (bucket fusion: Zhang et al., CGO
+/// 2020; GAP benchmark suite). Keys are lowered by atomic minimum; there is only one state where no
+/// arc can lower any more, so no order of work can change it. Keeps its memory between searches.
+class DeltaStepping {
+ public:
+  /// `delta` 0: about one mean arc.
+  DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint32_t delta = 0);
 
-/// Multi-source search, regions free, by delta-stepping (Meyer, Sanders 2003): nodes within
-/// `delta` ticks of each other are relaxed together, each thread collecting what it lowers in
-/// buckets of its own, and going on by itself while a bucket it refills is small (bucket fusion:
-/// Zhang et al., CGO 2020; GAP benchmark suite). Overwrites `keys`, one per node, with what
-/// search_free (dijkstra.h) gives.
-void search_free(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
-                 std::uint32_t delta, std::vector<Key>& keys);
+  /// From scratch: overwrites `keys`, one per node, with what search_free (dijkstra.h) gives.
+  void search(std::span<const NodeId> seeds, std::vector<Key>& keys);
+
+  /// From `keys` that are upper bounds: each the length of some way from the seed of the region it
+  /// names, 0 at seeds, and lower than they are by no arc but those at nodes of the `suspects`.
+  /// Sets `is_changed` of each region that a node of it changed in, left or joined.
+  void repair(const Members& members, std::span<const Piece> suspects, std::vector<Key>& keys,
+              std::vector<std::uint8_t>& is_changed);
+
+ private:
+  // What one thread has lowered, by distance / delta. On a line of its own in the cache.
+  struct alignas(64) Buckets {
+    std::vector<std::vector<NodeId>> at;
+    std::vector<NodeId> again;  // being relaxed alone
+
+    void push(std::size_t bucket, NodeId v) {
+      if (at.size() <= bucket) at.resize(bucket + 1);
+      at[bucket].push_back(v);
+    }
+  };
+
+  [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
+
+  template <class OnLowered>
+  void settle(std::vector<Key>& keys, OnLowered&& on_lowered);
+  template <class OnLowered>
+  void relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
+             OnLowered&& on_lowered);
+  template <class OnLowered>
+  void relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine, std::size_t few,
+                   OnLowered&& on_lowered);
+  template <class OnLowered>
+  void examine(NodeId v, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
+  std::size_t take_next_bucket(std::size_t bucket);
+
+  Scheduler& scheduler_;
+  const Graph& graph_;
+  std::uint32_t delta_;
+  std::vector<Buckets> buckets_;  // per thread
+  std::vector<NodeId> frontier_;
+};
 
 }  // namespace geolloyd

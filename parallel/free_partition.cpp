@@ -5,9 +5,7 @@
 #include "core/dijkstra.h"
 #include "core/fingerprint.h"
 #include "core/stopwatch.h"
-#include "parallel/delta_stepping.h"
 #include "parallel/primitives.h"
-#include "parallel/repair.h"
 
 namespace geolloyd {
 namespace {
@@ -27,7 +25,7 @@ FreePartition::FreePartition(Scheduler& scheduler, const Graph& graph, Frontier 
     : scheduler_(scheduler),
       graph_(graph),
       frontier_(frontier),
-      delta_(suitable_delta(scheduler, graph)),
+      delta_stepping_(scheduler, graph),
       seconds_(seconds),
       branch_of_(graph.node_count()),
       sums_{std::vector<std::uint64_t>(graph.node_count()),
@@ -90,7 +88,7 @@ void FreePartition::search_from_scratch(std::span<const NodeId> seeds) {
     std::vector<NodeId> settled;
     search_free(graph_, seeds, heap, partition_.key, settled);
   } else {
-    search_free(scheduler_, graph_, seeds, delta_, partition_.key);
+    delta_stepping_.search(seeds, partition_.key);
   }
   sum_unreached();
   is_changed_.assign(seeds.size(), 1);
@@ -121,8 +119,8 @@ void FreePartition::search_from_last(std::span<const NodeId> seeds) {
   }
   shift_keys(moved, seeds);
   const std::vector<RegionId> suspects = regions_where(is_changed_, true);
-  repair(scheduler_, graph_, members_, cut_into_pieces(members_, suspects), partition_.key,
-         is_changed_);
+  delta_stepping_.repair(members_, cut_into_pieces(members_, suspects), partition_.key,
+                         is_changed_);
 }
 
 // Where a seed moved within its region, no node is farther than it was plus the way back to the old

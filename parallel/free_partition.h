@@ -9,6 +9,7 @@
 #include "core/partition.h"
 #include "core/subtree.h"
 #include "parallel/branches.h"
+#include "parallel/delta_stepping.h"
 #include "parallel/members.h"
 #include "parallel/parallel_engine.h"
 #include "parallel/region_totals.h"
@@ -55,7 +56,7 @@ class FreePartition {
   Scheduler& scheduler_;
   const Graph& graph_;
   Frontier frontier_;
-  std::uint32_t delta_;
+  DeltaStepping delta_stepping_;
   KernelSeconds& seconds_;
 
   bool has_partition_ = false;
