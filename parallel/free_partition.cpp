@@ -49,12 +49,13 @@ void FreePartition::update(std::span<const NodeId> seeds) {
   derive_changed();
 }
 
-void FreePartition::update_sums() {
+std::vector<RegionId> FreePartition::update_sums() {
   const Timed timed(seconds_.subtree_sums);
-  const std::vector<RegionId> regions = regions_where(has_sums_, false);
+  std::vector<RegionId> regions = regions_where(has_sums_, false);
   find_branches(scheduler_, graph_, seeds_, partition_, members_,
                 cut_into_pieces(members_, regions), branch_of_, sums_);
   has_sums_.assign(seeds_.size(), 1);
+  return regions;
 }
 
 std::uint64_t FreePartition::digest_of_nodes() const {

@@ -27,7 +27,10 @@ class FreePartition {
   /// Finds the partition of `seeds` with its parents, members and totals.
   void update(std::span<const NodeId> seeds);
   /// Finds the subtree sums at the neighbours of the seeds, those of the last update().
-  void update_sums();
+  /// Returns the regions in which they were found anew.
+  std::vector<RegionId> update_sums();
+  /// Has the next update_sums() find all of them.
+  void forget_sums() { has_sums_.assign(has_sums_.size(), 0); }
 
   [[nodiscard]] const Partition& partition() const { return partition_; }
   [[nodiscard]] const Members& members() const { return members_; }

@@ -38,13 +38,16 @@ class ParallelEngine final : public Engine {
   }
 
   std::vector<NodeId> greedy_candidates(std::span<const NodeId> seeds, bool extended) override {
-    free_.update_sums();
+    if (extended != extended_) free_.forget_sums();
+    extended_ = extended;
+    const std::vector<RegionId> changed = free_.update_sums();
     const Timed timed(seconds_.movement);
     const SeedMoveView view{graph_, free_.partition(), free_.sums(), extended};
-    std::vector<NodeId> candidates(seeds.size());
-    for_items(scheduler_, seeds.size(), 64,
-              [&](std::size_t r) { candidates[r] = greedy_candidate(view, seeds[r]); });
-    return candidates;
+    candidates_.resize(seeds.size());
+    for_items(scheduler_, changed.size(), 64, [&](std::size_t i) {
+      candidates_[changed[i]] = greedy_candidate(view, seeds[changed[i]]);
+    });
+    return candidates_;
   }
 
   std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
@@ -137,6 +140,8 @@ class ParallelEngine final : public Engine {
   const Graph& graph_;
   KernelSeconds seconds_;
   FreePartition free_;
+  bool extended_ = true;
+  std::vector<NodeId> candidates_;  // per region; of the last update of the sums
   std::vector<NodeId> local_of_;  // per node, its number within its region
   std::atomic<bool> stopped_ = false;
   std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread
