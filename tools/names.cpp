@@ -34,4 +34,21 @@ const std::vector<Named<End>> end_names = {
     {"recurred", End::recurred},
 };
 
+const std::vector<Named<Frontier>> frontier_names = {
+    {"heap", Frontier::heap},
+    {"delta", Frontier::delta},
+    {"regions", Frontier::regions},
+    {"auto", Frontier::automatic},
+};
+
+const std::vector<Named<Backend>> backend_names = {
+    {"tbb", Backend::tbb},
+    {"openmp", Backend::openmp},
+};
+
+const std::vector<Named<EngineKind>> engine_names = {
+    {"parallel", EngineKind::parallel},
+    {"reference", EngineKind::reference},
+};
+
 }  // namespace geolloyd

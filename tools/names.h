@@ -7,6 +7,8 @@
 #include "core/mesh_graph.h"
 #include "core/relaxation.h"
 #include "core/seeds.h"
+#include "parallel/parallel_engine.h"
+#include "parallel/scheduler.h"
 
 namespace geolloyd {
 
@@ -23,6 +25,11 @@ extern const std::vector<Named<Norm>> norm_names;
 extern const std::vector<Named<GreedyMode>> greedy_mode_names;
 extern const std::vector<Named<SeedInit>> seed_init_names;
 extern const std::vector<Named<End>> end_names;
+extern const std::vector<Named<Frontier>> frontier_names;
+extern const std::vector<Named<Backend>> backend_names;
+
+enum class EngineKind { parallel, reference };
+extern const std::vector<Named<EngineKind>> engine_names;
 
 template <class Choice>
 std::vector<std::string> names_of(const std::vector<Named<Choice>>& choices) {

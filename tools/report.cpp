@@ -43,7 +43,11 @@ Json path_or_null(const std::filesystem::path& path) {
 
 Json options_part(const RunRecord& run) {
   const RelaxArguments& a = run.arguments;
-  return {{"engine", "reference"},
+  const bool parallel = a.engine == "parallel";
+  return {{"engine", a.engine},
+          {"threads", run.threads},
+          {"frontier", parallel ? Json(a.frontier) : Json(nullptr)},
+          {"backend", parallel ? Json(a.backend) : Json(nullptr)},
           {"graph", a.graph},
           {"norm", a.norm},
           {"vfield", path_or_null(a.vfield)},

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "core/mesh_check.h"
@@ -10,27 +8,9 @@
 #include "core/mesh_io.h"
 #include "core/relaxation.h"
 #include "core/tessellation.h"
+#include "tools/relax_arguments.h"
 
 namespace geolloyd {
-
-/// What the command line of `relax` says, in its own words (names.h).
-struct RelaxArguments {
-  std::filesystem::path mesh;
-  std::filesystem::path output;
-  std::filesystem::path picture;
-  std::size_t seeds = 0;  ///< 0: not given
-  std::filesystem::path seeds_file;
-  std::string init = "farthest";
-  std::uint64_t random_seed = 1;
-  std::string graph = "vertex";
-  std::string norm = "geodesic";
-  std::filesystem::path vfield;
-  std::string greedy = "extended";
-  bool no_microstep_skip = false;
-  bool no_macrostep_skip = false;
-  std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;
-  std::uint32_t max_macrosteps = RelaxationOptions::no_limit;
-};
 
 struct StageSeconds {
   double load = 0;  ///< reading and checking the mesh
@@ -49,6 +29,7 @@ struct RunRecord {
   MeshGraph mesh_graph;
   std::size_t components = 0;  ///< of the graph
   Relaxation relaxation;
+  std::size_t threads = 0;  ///< of the relaxation
   std::vector<RegionSummary> regions;
   std::vector<Label> labels;  ///< per input id
   StageSeconds seconds;

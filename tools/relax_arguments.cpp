@@ -1,0 +1,109 @@
+#include "tools/relax_arguments.h"
+
+#include "core/errors.h"
+#include "tools/choice_option.h"
+
+namespace geolloyd {
+
+void add_mesh_argument(CLI::App& command, RelaxArguments& a) {
+  command.add_option("MESH", a.mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
+}
+
+void add_seed_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Seeds";
+  command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions")
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+      ->type_name("NUMBER")
+      ->group(group);
+  command
+      .add_option("--seeds-file", a.seeds_file,
+                  "Start from these seeds instead: an input id or three coordinates\n"
+                  "a line, or the seeds.csv of another run")
+      ->type_name("FILE")
+      ->group(group);
+  one_of(command.add_option("--init", a.init, "How to choose the first seeds"), seed_init_names)
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds")
+      ->type_name("NUMBER")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_graph_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Graph";
+  one_of(command.add_option("-g,--graph", a.graph,
+                            "What the nodes are, and how densely they are joined"),
+         graph_kind_names)
+      ->capture_default_str()
+      ->group(group);
+  one_of(command.add_option("--norm", a.norm,
+                            "How displacements are measured: manhattan and linf along the\n"
+                            "tangent field or, without one, along the axes of the coordinates"),
+         norm_names)
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--vfield", a.vfield,
+                  "Tangent field for an anisotropic metric: after a line of column\n"
+                  "names k1, k2 and two vectors per vertex")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Relaxation";
+  one_of(
+      command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours"),
+      greedy_mode_names)
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_flag("--no-microstep-skip", a.no_microstep_skip,
+                "Search regions again even if their seed stayed: slower, same result")
+      ->group(group);
+  command
+      .add_flag("--no-macrostep-skip", a.no_macrostep_skip,
+                "Move seeds even if the score of their region did not change")
+      ->group(group);
+  command.add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after these")
+      ->type_name("NUMBER")
+      ->group(group);
+  command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these")
+      ->type_name("NUMBER")
+      ->group(group);
+}
+
+void add_thread_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Threads (they never change a result)";
+  one_of(command.add_option("--frontier", a.frontier,
+                            "How the parallel engine finds regions: heap and delta from\n"
+                            "scratch, regions only where something changed"),
+         frontier_names)
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--threads", a.threads, "How many (default: all the machine has)")
+      ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
+      ->type_name("NUMBER")
+      ->group(group);
+  one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
+         backend_names)
+      ->capture_default_str()
+      ->group(group);
+}
+
+void check_arguments(const RelaxArguments& a) {
+  if (a.seeds == 0 && a.seeds_file.empty()) {
+    throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
+  }
+  if (a.seeds != 0 && !a.seeds_file.empty()) {
+    throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
+  }
+}
+
+RelaxationOptions relaxation_options(const RelaxArguments& a) {
+  return {value_of(greedy_mode_names, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
+          a.max_greedy_steps, a.max_macrosteps};
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "core/relaxation.h"
+
+namespace geolloyd {
+
+/// What the command line of `relax`, and of its relatives, says, in its own words (names.h).
+struct RelaxArguments {
+  std::filesystem::path mesh;
+  std::filesystem::path output;
+  std::filesystem::path picture;
+  std::size_t seeds = 0;  ///< 0: not given
+  std::filesystem::path seeds_file;
+  std::string init = "farthest";
+  std::uint64_t random_seed = 1;
+  std::string graph = "vertex";
+  std::string norm = "geodesic";
+  std::filesystem::path vfield;
+  std::string greedy = "extended";
+  bool no_microstep_skip = false;
+  bool no_macrostep_skip = false;
+  std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;
+  std::uint32_t max_macrosteps = RelaxationOptions::no_limit;
+  std::string engine = "parallel";
+  std::string frontier = "auto";
+  std::size_t threads = 0;  ///< 0: all the machine has
+  std::string backend = "tbb";
+};
+
+void add_mesh_argument(CLI::App& command, RelaxArguments& a);
+void add_seed_options(CLI::App& command, RelaxArguments& a);
+void add_graph_options(CLI::App& command, RelaxArguments& a);
+void add_relaxation_options(CLI::App& command, RelaxArguments& a);
+void add_thread_options(CLI::App& command, RelaxArguments& a);
+
+/// Throws InvalidInput where options contradict each other.
+void check_arguments(const RelaxArguments& a);
+RelaxationOptions relaxation_options(const RelaxArguments& a);
+
+}  // namespace geolloyd

@@ -1,0 +1,66 @@
+#include "tools/stages.h"
+
+#include "core/components.h"
+#include "core/seed_file.h"
+#include "core/seeds.h"
+#include "core/stopwatch.h"
+#include "core/tangent_field_file.h"
+#include "tools/names.h"
+
+namespace geolloyd {
+namespace {
+
+// Edges are arcs to be, so finding them counts as building the graph.
+MeshEdges load(RunRecord& run) {
+  const Stopwatch watch;
+  run.input = read_mesh(run.arguments.mesh);
+  const Stopwatch finding;
+  MeshEdges edges = find_edges(run.input.mesh);
+  run.seconds.graph = finding.seconds();
+  run.facts = check_mesh(run.input.mesh, edges);
+  run.seconds.load = watch.seconds() - run.seconds.graph;
+  return edges;
+}
+
+void build_graph(RunRecord& run, const MeshEdges& edges) {
+  const Stopwatch watch;
+  const RelaxArguments& a = run.arguments;
+  MeshGraphOptions options{value_of(graph_kind_names, a.graph), value_of(norm_names, a.norm), {}};
+  if (!a.vfield.empty()) {
+    options.vertex_space = read_tangent_field(a.vfield, run.input.mesh.vertex_count());
+  }
+  run.mesh_graph = make_mesh_graph(run.input.mesh, edges, options);
+  run.seconds.graph += watch.seconds();
+}
+
+std::vector<NodeId> first_seeds(RunRecord& run) {
+  const Stopwatch watch;
+  const RelaxArguments& a = run.arguments;
+  const Components components = connected_components(run.mesh_graph.graph);
+  run.components = components.size();
+  std::vector<NodeId> seeds =
+      a.seeds_file.empty() ? choose_seeds(run.mesh_graph.graph, components,
+                                          value_of(seed_init_names, a.init), a.seeds, a.random_seed)
+                           : read_seed_file(a.seeds_file, run.mesh_graph, components);
+  run.seconds.seeds = watch.seconds();
+  return seeds;
+}
+
+}  // namespace
+
+Scheduler make_scheduler(const RelaxArguments& a) {
+  return Scheduler(a.threads, value_of(backend_names, a.backend));
+}
+
+std::vector<NodeId> prepare(RunRecord& run, ProgressLine& progress) {
+  progress.stage("reading " + run.arguments.mesh.string());
+  {
+    const MeshEdges edges = load(run);
+    progress.stage("building the " + run.arguments.graph + " graph");
+    build_graph(run, edges);
+  }
+  progress.stage("choosing seeds");
+  return first_seeds(run);
+}
+
+}  // namespace geolloyd
