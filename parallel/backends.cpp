@@ -2,41 +2,57 @@
 
 #include <omp.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
+#include <mutex>
 
 namespace geolloyd {
 
-// oneTBB starts no more threads than the machine has cores unless told so.
 struct TbbPool {
-  tbb::global_control limit;
   tbb::task_arena arena;
 };
 
+namespace {
+
+// oneTBB starts no more threads than the machine has cores unless told so, and of several such
+// wishes heeds the smallest. So there is one at a time, the largest so far.
+void allow_threads(std::size_t threads) {
+  static std::mutex mutex;
+  static std::size_t allowed = static_cast<std::size_t>(tbb::info::default_concurrency());
+  static std::unique_ptr<tbb::global_control> limit;
+  const std::lock_guard lock(mutex);
+  if (threads <= allowed) return;
+  limit.reset();
+  limit =
+      std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+  allowed = threads;
+}
+
+}  // namespace
+
 TbbPoolPointer make_tbb_pool(std::size_t threads) {
-  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  return TbbPoolPointer(
-      new TbbPool{{tbb::global_control::max_allowed_parallelism, std::max(threads, cores)},
-                  tbb::task_arena(static_cast<int>(threads))});
+  allow_threads(threads);
+  return TbbPoolPointer(new TbbPool{tbb::task_arena(static_cast<int>(threads))});
 }
 
 void TbbPoolDeleter::operator()(TbbPool* pool) const {
   delete pool;
 }
 
-void run_on_tbb(TbbPool& pool, std::size_t threads, Enter enter, void* context) {
+void run_on_tbb(TbbPool& pool, std::size_t workers, Enter enter, void* context) {
   pool.arena.execute([&] {
     tbb::parallel_for(
-        std::size_t{0}, threads, [&](std::size_t i) { enter(context, i); },
+        std::size_t{0}, workers, [&](std::size_t i) { enter(context, i); },
         tbb::simple_partitioner());
   });
 }
 
-void run_on_openmp(std::size_t threads, Enter enter, void* context) {
+// Always with all threads: a team that changes its size is made anew.
+void run_on_openmp(std::size_t threads, std::size_t workers, Enter enter, void* context) {
 #pragma omp parallel for num_threads(static_cast <int>(threads)) schedule(dynamic, 1)
-  for (std::size_t i = 0; i < threads; ++i) enter(context, i);
+  for (std::size_t i = 0; i < workers; ++i) enter(context, i);
 }
 
 }  // namespace geolloyd

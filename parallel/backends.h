@@ -6,7 +6,7 @@
 namespace geolloyd {
 
 /// The two threading libraries, each behind one function that calls `enter(context, i)` once for
-/// each i < threads. Only backends.cpp includes them; it is the one file compiled without
+/// each i < workers. Only backends.cpp includes them; it is the one file compiled without
 /// ThreadSanitizer, whose false alarms come from their templates, compiled here, handing over to
 /// their uninstrumented libraries. The hand-over that counts is made by scheduler.cpp.
 using Enter = void (*)(void* context, std::size_t i);
@@ -18,7 +18,7 @@ struct TbbPoolDeleter {
 using TbbPoolPointer = std::unique_ptr<TbbPool, TbbPoolDeleter>;
 TbbPoolPointer make_tbb_pool(std::size_t threads);
 
-void run_on_tbb(TbbPool& pool, std::size_t threads, Enter enter, void* context);
-void run_on_openmp(std::size_t threads, Enter enter, void* context);
+void run_on_tbb(TbbPool& pool, std::size_t workers, Enter enter, void* context);
+void run_on_openmp(std::size_t threads, std::size_t workers, Enter enter, void* context);
 
 }  // namespace geolloyd

@@ -92,7 +92,7 @@ void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const Nod
   const auto nodes_of = [&](const Piece& p) {
     return std::span<const NodeId>(members.node).subspan(p.begin, p.end - p.begin);
   };
-  constexpr std::size_t grain = 8;
+  const std::size_t grain = grain_of(pieces);
   // First in its region: there the region begins, and its sums are gathered.
   const auto is_first = [&](std::size_t i) {
     return pieces[i].begin == members.first[pieces[i].region];

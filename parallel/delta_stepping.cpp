@@ -10,12 +10,13 @@ namespace geolloyd {
 namespace {
 
 std::uint32_t mean_length(Scheduler& scheduler, const Graph& graph) {
-  const auto total = sum_ranges<std::uint64_t>(
-      scheduler, graph.arc_count(), 1 << 15, [&](std::size_t begin, std::size_t end) {
-        std::uint64_t sum = 0;
-        for (std::size_t a = begin; a < end; ++a) sum += graph.length[a];
-        return sum;
-      });
+  const auto total = sum_ranges<std::uint64_t>(scheduler, graph.arc_count(), 1 << 15,
+                                               [&](std::size_t begin, std::size_t end) {
+                                                 std::uint64_t sum = 0;
+                                                 for (std::size_t a = begin; a < end; ++a)
+                                                   sum += graph.length[a];
+                                                 return sum;
+                                               });
   return static_cast<std::uint32_t>(total / std::max<std::size_t>(graph.arc_count(), 1));
 }
 
@@ -48,17 +49,12 @@ void DeltaStepping::repair(const Members& members, std::span<const Piece> suspec
     if (before != unreached) set(is_changed[region_of(before)]);
     set(is_changed[region_of(after)]);
   };
-  for_ranges(scheduler_, suspects.size(), 1, [&](std::size_t i, std::size_t, std::size_t worker) {
-    const Piece& piece = suspects[i];
-    Buckets& mine = buckets_[worker];
-    for (NodeId m = piece.begin; m < piece.end; ++m) {
-      examine(members.node[m], keys, mine, note_change);
-    }
-    if (piece.end - piece.begin < members.of(piece.region).size()) return;
-    for (std::size_t bucket = 0; bucket < mine.at.size(); ++bucket) {
-      relax_alone(bucket, keys, mine, no_id, note_change);
-    }
-  });
+  for_ranges(scheduler_, suspects.size(), grain_of(suspects),
+             [&](std::size_t begin, std::size_t end, std::size_t worker) {
+               for (std::size_t i = begin; i < end; ++i) {
+                 examine_piece(members, suspects[i], keys, buckets_[worker], note_change);
+               }
+             });
   settle(keys, note_change);
 }
 
@@ -103,6 +99,20 @@ void DeltaStepping::relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, 
     if (offered >= before) continue;
     on_lowered(before, offered);
     mine.push(bucket_of(offered), u);
+  }
+}
+
+// Around a region that is one piece, all that follows is done at once, while it is in the cache; of
+// larger ones it is left to all threads.
+template <class OnLowered>
+void DeltaStepping::examine_piece(const Members& members, const Piece& piece,
+                                  std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered) {
+  for (NodeId m = piece.begin; m < piece.end; ++m) {
+    examine(members.node[m], keys, mine, on_lowered);
+  }
+  if (piece.end - piece.begin < members.of(piece.region).size()) return;
+  for (std::size_t bucket = 0; bucket < mine.at.size(); ++bucket) {
+    relax_alone(bucket, keys, mine, no_id, on_lowered);
   }
 }
 

@@ -53,6 +53,9 @@ class DeltaStepping {
   void relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine, std::size_t few,
                    OnLowered&& on_lowered);
   template <class OnLowered>
+  void examine_piece(const Members& members, const Piece& piece, std::vector<Key>& keys,
+                     Buckets& mine, OnLowered&& on_lowered);
+  template <class OnLowered>
   void examine(NodeId v, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   std::size_t take_next_bucket(std::size_t bucket);
 

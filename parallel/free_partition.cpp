@@ -143,7 +143,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
     }
   });
   const std::vector<Piece> pieces = cut_into_pieces(members_, moved);
-  for_items(scheduler_, pieces.size(), 8, [&](std::size_t i) {
+  for_items(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     const Shift& shift = shift_of[place[pieces[i].region]];
     for (NodeId m = pieces[i].begin; m < pieces[i].end; ++m) {
       const NodeId v = members_.node[m];

@@ -52,6 +52,13 @@ void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t r
   });
 }
 
+std::size_t grain_of(std::span<const Piece> pieces) {
+  constexpr std::size_t nodes_a_task = 2048;
+  std::size_t nodes = 1;
+  for (const Piece& p : pieces) nodes += p.end - p.begin;
+  return std::max<std::size_t>(nodes_a_task * pieces.size() / nodes, 1);
+}
+
 std::vector<Piece> cut_into_pieces(const Members& members, std::span<const RegionId> regions) {
   constexpr NodeId most_nodes_a_piece = 4096;
   std::vector<Piece> pieces;

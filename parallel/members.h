@@ -30,6 +30,9 @@ struct Piece {
 void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
                   Members& members);
 
+/// How many of them make a task worth giving to another thread.
+std::size_t grain_of(std::span<const Piece> pieces);
+
 /// The pieces of those `regions`, in their order.
 std::vector<Piece> cut_into_pieces(const Members& members, std::span<const RegionId> regions);
 

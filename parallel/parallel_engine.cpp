@@ -142,7 +142,7 @@ class ParallelEngine final : public Engine {
   FreePartition free_;
   bool extended_ = true;
   std::vector<NodeId> candidates_;  // per region; of the last update of the sums
-  std::vector<NodeId> local_of_;  // per node, its number within its region
+  std::vector<NodeId> local_of_;    // per node, its number within its region
   std::atomic<bool> stopped_ = false;
   std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread
 };

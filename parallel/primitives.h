@@ -37,7 +37,8 @@ class FirstError {
 /// once. An exception ends the work and reaches the caller.
 template <class Body>
 void for_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&& body) {
-  if (scheduler.threads() == 1 || count <= grain) {
+  const std::size_t workers = std::min(scheduler.threads(), (count + grain - 1) / grain);
+  if (workers <= 1) {
     for (std::size_t begin = 0; begin < count; begin += grain) {
       body(begin, std::min(begin + grain, count), std::size_t{0});
     }
@@ -45,7 +46,7 @@ void for_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body
   }
   std::atomic<std::size_t> next{0};
   FirstError error;
-  scheduler.run([&](std::size_t worker) {
+  scheduler.run(workers, [&](std::size_t worker) {
     error.guard([&] {
       while (!error.met()) {
         const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);

@@ -11,7 +11,7 @@ void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const M
                                RegionTotals& totals) {
   std::vector<Score> score(pieces.size());
   std::vector<std::uint64_t> sum(pieces.size());
-  for_items(scheduler, pieces.size(), 4, [&](std::size_t i) {
+  for_items(scheduler, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     Score piece_score = 0;
     std::uint64_t piece_sum = 0;
     for (NodeId m = pieces[i].begin; m < pieces[i].end; ++m) {

@@ -33,19 +33,19 @@ Scheduler::Scheduler(std::size_t threads, Backend backend)
   if (backend == Backend::tbb && threads_ > 1) tbb_ = make_tbb_pool(threads_);
 }
 
-void Scheduler::run(const std::function<void(std::size_t)>& work) {
-  if (threads_ == 1) {
+void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>& work) {
+  if (workers == 1) {
     work(0);
     return;
   }
   Job job{work};
   job.open.store(true, std::memory_order_release);
   if (backend_ == Backend::tbb) {
-    run_on_tbb(*tbb_, threads_, enter, &job);
+    run_on_tbb(*tbb_, workers, enter, &job);
   } else {
-    run_on_openmp(threads_, enter, &job);
+    run_on_openmp(threads_, workers, enter, &job);
   }
-  while (job.done.load(std::memory_order_acquire) != threads_) std::this_thread::yield();
+  while (job.done.load(std::memory_order_acquire) != workers) std::this_thread::yield();
 }
 
 }  // namespace geolloyd

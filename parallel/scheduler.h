@@ -24,10 +24,11 @@ class Scheduler {
   [[nodiscard]] std::size_t threads() const { return threads_; }
   [[nodiscard]] Backend backend() const { return backend_; }
 
-  /// Calls `work` once with each number in [0, threads()), as many at a time as there are threads,
-  /// the caller's among them, and returns when all have. What the caller wrote before, they see;
-  /// what they wrote, the caller sees after. `work` must not throw.
-  void run(const std::function<void(std::size_t worker)>& work);
+  /// Calls `work` once with each number in [0, workers), on that many threads as far as these are
+  /// free, the caller's among them, and returns when all calls have. `workers` <= threads(). What
+  /// the caller wrote before, they see; what they wrote, the caller sees after. `work` must not
+  /// throw.
+  void run(std::size_t workers, const std::function<void(std::size_t worker)>& work);
 
  private:
   std::size_t threads_;

@@ -29,7 +29,7 @@ class SchedulerTest : public testing::TestWithParam<Team> {
 TEST_P(SchedulerTest, CallsEachWorkerOnce) {
   for (int turn = 0; turn < 50; ++turn) {
     std::vector<int> calls(scheduler_.threads(), 0);
-    scheduler_.run([&](std::size_t worker) { ++calls[worker]; });
+    scheduler_.run(scheduler_.threads(), [&](std::size_t worker) { ++calls[worker]; });
     EXPECT_EQ(calls, std::vector<int>(scheduler_.threads(), 1));
   }
 }

@@ -1,0 +1,253 @@
+// The parallel engine against the sequential reference: everything equal, whatever the graph, the
+// options, the number of threads, the frontier, the backend.
+#include "tests/agreement.h"
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <tuple>
+
+#include "core/mesh_graph.h"
+#include "core/seeds.h"
+#include "core/shapes.h"
+#include "tests/random_graph.h"
+
+namespace geolloyd {
+namespace {
+
+// Every scheduler of the sweep, made once.
+const std::vector<std::unique_ptr<Scheduler>>& schedulers() {
+  static const auto all = [] {
+    std::vector<std::unique_ptr<Scheduler>> made;
+    for (const Backend backend : all_backends) {
+      for (const std::size_t threads : {1, 2, 3, 8}) {
+        made.push_back(std::make_unique<Scheduler>(threads, backend));
+      }
+    }
+    return made;
+  }();
+  return all;
+}
+
+std::string describe(const Scheduler& scheduler, Frontier frontier) {
+  return std::to_string(scheduler.threads()) + " threads, backend " +
+         std::to_string(static_cast<int>(scheduler.backend())) + ", frontier " +
+         std::to_string(static_cast<int>(frontier));
+}
+
+void expect_agreement_everywhere(const Graph& graph, const std::vector<NodeId>& seeds,
+                                 const RelaxationOptions& options) {
+  const Relaxation expected = relax_by_reference(graph, seeds, options);
+  for (const auto& scheduler : schedulers()) {
+    for (const Frontier frontier : all_frontiers) {
+      SCOPED_TRACE(describe(*scheduler, frontier));
+      expect_same(expected, relax_in_parallel(*scheduler, frontier, graph, seeds, options));
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+std::vector<RelaxationOptions> all_options() {
+  std::vector<RelaxationOptions> all;
+  for (const GreedyMode greedy : {GreedyMode::off, GreedyMode::standard, GreedyMode::extended}) {
+    for (const bool microstep_skip : {true, false}) {
+      for (const bool macrostep_skip : {true, false}) {
+        RelaxationOptions options;
+        options.greedy = greedy;
+        options.microstep_skip = microstep_skip;
+        options.macrostep_skip = macrostep_skip;
+        all.push_back(options);
+      }
+    }
+  }
+  return all;
+}
+
+// A metric that turns and changes over the surface.
+std::vector<TangentSpace> swirling_field(const Mesh& mesh) {
+  std::vector<TangentSpace> spaces;
+  for (const Vec3& p : mesh.positions) {
+    const double turn = 3 * p.x() + 2 * p.z();
+    spaces.push_back({Vec3(std::cos(turn), std::sin(turn), 0),
+                      Vec3(-std::sin(turn), std::cos(turn), 0), 1 + std::abs(p.y()),
+                      3 - std::abs(p.x())});
+  }
+  return spaces;
+}
+
+using MeshCase = std::tuple<GraphKind, Norm, bool>;
+
+class AgreementOnMeshes : public testing::TestWithParam<MeshCase> {};
+
+TEST_P(AgreementOnMeshes, InAllModes) {
+  const auto [kind, norm, anisotropic] = GetParam();
+  const Mesh mesh = creature(500, 1);
+  MeshGraphOptions options{kind, norm, {}};
+  if (anisotropic) options.vertex_space = swirling_field(mesh);
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
+  const auto seeds =
+      choose_seeds(made.graph, connected_components(made.graph), SeedInit::random, 12, 1);
+  for (const RelaxationOptions& relaxation_options : all_options()) {
+    expect_agreement_everywhere(made.graph, seeds, relaxation_options);
+    if (HasFatalFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sweep, AgreementOnMeshes,
+    testing::Combine(testing::Values(GraphKind::vertex, GraphKind::vertex_dense,
+                                     GraphKind::triangle, GraphKind::triangle_dense,
+                                     GraphKind::mixed),
+                     testing::Values(Norm::geodesic, Norm::manhattan, Norm::linf),
+                     testing::Bool()));
+
+// Many equal lengths, links without length, isolated nodes, components without a seed.
+TEST(Agreement, OnRandomGraphsThatAreHardOnTies) {
+  for (std::uint64_t random_seed = 0; random_seed < 150; ++random_seed) {
+    SCOPED_TRACE(random_seed);
+    const NodeId nodes = 2 + random_number(random_seed, 1000, 50);
+    const Graph graph = random_seed % 2 == 0 ? random_graph(random_seed, nodes)
+                                             : random_connected_graph(random_seed, nodes);
+    const std::uint32_t seeds = 1 + random_number(random_seed, 1001, nodes);
+    const std::size_t turn = random_seed % all_options().size();
+    expect_agreement_everywhere(graph, random_nodes(random_seed, nodes, seeds),
+                                all_options()[turn]);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Agreement, OnOneSeedAllSeedsAndOneNode) {
+  const Graph graph = random_connected_graph(5, 60);
+  expect_agreement_everywhere(graph, {17}, {});
+  expect_agreement_everywhere(graph, random_nodes(1, 60, 60), {});
+  expect_agreement_everywhere(grid_graph(1, 1), {0}, {});
+  expect_agreement_everywhere(make_graph({}, std::vector<double>(5, 1.0)), {3, 1}, {});
+}
+
+// A hub with more neighbours than a search has lanes.
+TEST(Agreement, OnStarsAndWheels) {
+  constexpr NodeId rim = 60;
+  for (const bool wheel : {false, true}) {
+    std::vector<Link> links;
+    for (NodeId v = 1; v <= rim; ++v) {
+      links.push_back({0, v, 10.0 + v % 7});
+      if (wheel) links.push_back({v, v % rim + 1, 3.0 + v % 5});
+      links.push_back({v, rim + v, 2.0 + v % 3});
+    }
+    std::vector<double> masses;
+    for (NodeId v = 0; v <= 2 * rim; ++v) masses.push_back(1 + v % 4);
+    const Graph graph = make_graph(links, masses);
+    for (const RelaxationOptions& options : all_options()) {
+      expect_agreement_everywhere(graph, {rim + 7}, options);
+      expect_agreement_everywhere(graph, {0, 5, rim + 9}, options);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Regions of many pieces, shared by several threads.
+TEST(Agreement, OnFewLargeRegions) {
+  const Mesh mesh = creature(30000, 1);
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), {});
+  const auto components = connected_components(made.graph);
+  RelaxationOptions options;
+  options.max_greedy_steps = 25;
+  options.max_macrosteps = 2;
+  for (const std::size_t count : {1, 2, 3}) {
+    const auto seeds = choose_seeds(made.graph, components, SeedInit::random, count, 1);
+    const Relaxation expected = relax_by_reference(made.graph, seeds, options);
+    for (const auto& scheduler : schedulers()) {
+      for (const Frontier frontier : {Frontier::delta, Frontier::regions}) {
+        SCOPED_TRACE(describe(*scheduler, frontier));
+        expect_same(expected, relax_in_parallel(*scheduler, frontier, made.graph, seeds, options));
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+// Engines may be asked for any seeds in any order, not only as the Lloyd loop does.
+TEST(Agreement, OnSeedsThatJump) {
+  for (std::uint64_t random_seed = 0; random_seed < 40; ++random_seed) {
+    SCOPED_TRACE(random_seed);
+    constexpr NodeId nodes = 80;
+    const Graph graph = random_connected_graph(random_seed, nodes);
+    const auto reference = make_reference_engine(graph);
+    const auto parallel = make_parallel_engine(*schedulers()[random_seed % 8], graph);
+    std::vector<NodeId> seeds = random_nodes(random_seed, nodes, 6);
+    for (std::uint32_t turn = 0; turn < 12; ++turn) {
+      reference->partition(seeds);
+      parallel->partition(seeds);
+      ASSERT_EQ(reference->current().key, parallel->current().key);
+      ASSERT_EQ(reference->current().parent, parallel->current().parent);
+      ASSERT_EQ(reference->state_digest(seeds), parallel->state_digest(seeds));
+      ASSERT_TRUE(std::equal(reference->region_scores().begin(), reference->region_scores().end(),
+                             parallel->region_scores().begin(), parallel->region_scores().end()));
+      for (const bool extended : {turn % 2 == 0, turn % 3 == 0}) {
+        ASSERT_EQ(reference->greedy_candidates(seeds, extended),
+                  parallel->greedy_candidates(seeds, extended));
+      }
+      switch (random_number(random_seed, turn, 4)) {
+        case 0:  // elsewhere, and another number of them
+          seeds = random_nodes(random_seed + turn, nodes, 1 + turn);
+          break;
+        case 1:  // one goes far
+          seeds = random_nodes(random_seed + turn, nodes, seeds.size());
+          break;
+        case 2: {  // within their regions
+          const std::vector<std::uint8_t> keeps_seed(seeds.size(), turn % 3 == 0 ? 1 : 0);
+          std::vector<NodeId> others = seeds;
+          const auto go_on = [](std::uint32_t) { return true; };
+          const MacrostepOptions options{keeps_seed, turn % 2 == 0, true};
+          ASSERT_EQ(reference->macrostep(seeds, options, go_on),
+                    parallel->macrostep(others, options, go_on));
+          ASSERT_EQ(seeds, others);
+          break;
+        }
+        default:  // by one arc, or not at all
+          for (NodeId& s : seeds) {
+            const auto neighbours = graph.neighbours(s);
+            const NodeId next = neighbours[turn % neighbours.size()];
+            if (std::find(seeds.begin(), seeds.end(), next) == seeds.end()) s = next;
+          }
+      }
+    }
+  }
+}
+
+TEST(Agreement, OfAnInterruptedRunThatGoesOn) {
+  const Graph graph = grid_graph(40, 40);
+  const std::vector<NodeId> seeds = {0, 1, 2, 3, 4, 5, 6, 7};
+  for (const auto& scheduler : schedulers()) {
+    for (const int calls : {1, 3, 10, 30, 45}) {
+      const auto engine = make_parallel_engine(*scheduler, graph);
+      int left = calls;
+      const Relaxation part =
+          relax(graph, *engine, seeds, {}, [&](const Progress&) { return --left > 0; });
+      ASSERT_EQ(part.end, End::interrupted);
+      for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
+      expect_same(relax_by_reference(graph, part.seeds, {}), relax(graph, *engine, part.seeds, {}));
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Threads that outnumber the cores meet in another order each time.
+TEST(Agreement, OfManyRunsWithMoreThreadsThanCores) {
+  const Mesh mesh = creature(2000, 2);
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), {});
+  const auto seeds =
+      choose_seeds(made.graph, connected_components(made.graph), SeedInit::random, 40, 3);
+  const std::uint64_t fingerprint = relax_by_reference(made.graph, seeds, {}).fingerprint;
+  for (const Backend backend : all_backends) {
+    Scheduler scheduler(16, backend);
+    for (int turn = 0; turn < 40; ++turn) {
+      const Frontier frontier = all_frontiers[turn % 4];
+      ASSERT_EQ(relax_in_parallel(scheduler, frontier, made.graph, seeds, {}).fingerprint,
+                fingerprint);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd
