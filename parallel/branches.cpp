@@ -76,8 +76,7 @@ void add_up_branches(const Graph& graph, const Partition& partition, NodeId seed
   });
   for (const std::uint32_t i : hanging) {
     const std::uint32_t above = branch_above(partition, seed, neighbours[i], branch_of);
-    sums[above].cost += sums[i].cost;
-    sums[above].mass += sums[i].mass;
+    sums[above] += sums[i];
   }
   for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
     if (!same_region(partition.key, seed, neighbours[i])) continue;
@@ -111,10 +110,7 @@ void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const Nod
     if (!is_first(i)) return;
     const RegionId region = pieces[i].region;
     for (std::size_t j = i + 1; j < pieces.size() && pieces[j].region == region; ++j) {
-      for (std::size_t b = 0; b < sums[i].size(); ++b) {
-        sums[i][b].cost += sums[j][b].cost;
-        sums[i][b].mass += sums[j][b].mass;
-      }
+      for (std::size_t b = 0; b < sums[i].size(); ++b) sums[i][b] += sums[j][b];
     }
     add_up_branches(graph, partition, seeds[region], branch_of, sums[i], sums_at);
   });

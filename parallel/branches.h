@@ -24,6 +24,12 @@ inline constexpr std::uint32_t no_branch = no_id;
 struct BranchSum {
   std::uint64_t cost = 0;  ///< of distances, ticks
   std::uint64_t mass = 0;  ///< ticks
+
+  BranchSum& operator+=(const BranchSum& other) {
+    cost += other.cost;
+    mass += other.mass;
+    return *this;
+  }
 };
 
 /// In turn, for a region: forgets the branches of `nodes`, which together are all of it; marks the

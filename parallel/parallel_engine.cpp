@@ -58,13 +58,18 @@ class ParallelEngine final : public Engine {
     stopped_ = false;
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
-    for_ranges(scheduler_, active.size(), 1, [&](std::size_t i, std::size_t, std::size_t worker) {
+    const auto settle = [&](Scheduler* shared, RegionId r, RegionSolver& solver) {
       if (stopped_) return;
-      const RegionId r = active[i];
-      moves[r] = settle_region(r, seeds[r], options.extended, *solvers_[worker]);
+      moves[r] = settle_region(r, seeds[r], options.extended, shared, solver);
       const std::uint32_t left = --moving;
       if (std::this_thread::get_id() == caller && !keep_going(left)) stopped_ = true;
-    });
+    };
+    const std::size_t large = count_large(active);
+    for (std::size_t i = 0; i < large; ++i) settle(&scheduler_, active[i], *solvers_.front());
+    for_ranges(scheduler_, active.size() - large, 1,
+               [&](std::size_t i, std::size_t, std::size_t worker) {
+                 settle(nullptr, active[large + i], *solvers_[worker]);
+               });
     if (stopped_) {
       free_.forget();
     } else {
@@ -90,11 +95,30 @@ class ParallelEngine final : public Engine {
     return active;
   }
 
-  // Moves `seed` to where it rests and returns in how many moves.
-  std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, RegionSolver& solver) {
+  // Of regions, the largest first: how many are more than a thread's fair share of the nodes. These
+  // are settled one after the other, each by all threads.
+  [[nodiscard]] std::size_t count_large(std::span<const RegionId> active) const {
+    constexpr std::size_t least = 1 << 15;  // fewer nodes do not occupy several threads
+    std::size_t left = 0;
+    for (const RegionId r : active) left += free_.members().of(r).size();
+    std::size_t count = 0;
+    for (const RegionId r : active) {
+      const std::size_t nodes = free_.members().of(r).size();
+      if (nodes < least || nodes * scheduler_.threads() <= left) break;
+      left -= nodes;
+      ++count;
+    }
+    return scheduler_.threads() == 1 ? 0 : count;
+  }
+
+  // Moves `seed` to where it rests and returns in how many moves. With all threads if `shared`.
+  std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
+                              RegionSolver& solver) {
     LocalRegion& local = solver.local();
     copy_region(graph_, free_.partition().key, free_.members().of(r), local_of_, local);
-    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended);
+    const Score score = free_.totals().score[r];
+    const auto [rest, moves] = shared != nullptr ? solver.solve(*shared, seed, score, extended)
+                                                 : solver.solve(seed, score, extended);
     if (rest != seed) {
       for (NodeId v = 0; v < local.size(); ++v) {
         store_key(free_.keys()[local.node[v]], make_key(distance_of(local.partition.key[v]), r));

@@ -6,10 +6,30 @@
 
 #include "core/forest.h"
 #include "core/stopwatch.h"
+#include "parallel/primitives.h"
 
 namespace geolloyd {
+namespace {
+
+constexpr std::size_t range_size = 4096;  // nodes of a large region that one thread takes at a time
+
+}  // namespace
 
 RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
+  return walk(seed, score, extended);
+}
+
+RegionSolver::Outcome RegionSolver::solve(Scheduler& scheduler, NodeId seed, Score score,
+                                          bool extended) {
+  scheduler_ = &scheduler;
+  shared_ = std::make_unique<SharedSearch>(scheduler, local_.graph);
+  const Outcome outcome = walk(seed, score, extended);
+  shared_.reset();
+  scheduler_ = &alone_;
+  return outcome;
+}
+
+RegionSolver::Outcome RegionSolver::walk(NodeId seed, Score score, bool extended) {
   extended_ = extended;
   const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
   auto at = static_cast<NodeId>(place - local_.node.begin());
@@ -55,6 +75,11 @@ void RegionSolver::stand_at(NodeId node) {
 }
 
 void RegionSolver::move_keys_to(NodeId node) {
+  if (shared_) {
+    if (shared_->source() != node) search_shared(node);
+    shared_->swap_keys(local_.partition.key);
+    return;
+  }
   auto source = std::find(sources_.begin(), sources_.end(), node);
   if (source == sources_.end()) {
     sources_.assign(1, node);
@@ -68,25 +93,44 @@ void RegionSolver::move_keys_to(NodeId node) {
   }
 }
 
-void RegionSolver::weigh_neighbours() {
+// With the parents, which tell the branches.
+void RegionSolver::sum_branches() {
   const Graph& graph = local_.graph;
-  const std::span<const NodeId> nodes = std::span(all_).first(local_.size());
+  Partition& partition = local_.partition;
+  const auto for_nodes = [&](auto&& body) {
+    for_ranges(*scheduler_, local_.size(), range_size,
+               [&](std::size_t begin, std::size_t end, std::size_t) {
+                 body(std::span<const NodeId>(all_).subspan(begin, end - begin),
+                      begin / range_size);
+               });
+  };
+  const std::size_t ranges = (local_.size() + range_size - 1) / range_size;
+  const std::size_t arcs = graph.neighbours(stand_).size();
+  branch_sums_.assign(ranges * arcs, {});
   {
     const Timed timed(seconds_.locked_search);
-    derive_parents(graph, local_.partition.key, nodes, local_.partition.parent);
+    for_nodes([&](std::span<const NodeId> nodes, std::size_t) {
+      derive_parents(graph, partition.key, nodes, partition.parent);
+      forget_branches(nodes, branch_of_);
+    });
   }
-  {
-    const Timed timed(seconds_.subtree_sums);
-    branch_sums_.assign(graph.neighbours(stand_).size(), {});
-    forget_branches(nodes, branch_of_);
-    mark_branches(graph, local_.partition.key, stand_, branch_of_);
-    add_to_branches(graph, local_.partition, nodes, branch_of_, branch_sums_);
-    add_up_branches(graph, local_.partition, stand_, branch_of_, branch_sums_, sums_);
-  }
+  const Timed timed(seconds_.subtree_sums);
+  mark_branches(graph, partition.key, stand_, branch_of_);
+  for_nodes([&](std::span<const NodeId> nodes, std::size_t range) {
+    add_to_branches(graph, partition, nodes, branch_of_,
+                    std::span(branch_sums_).subspan(range * arcs, arcs));
+  });
+  for (std::size_t i = arcs; i < branch_sums_.size(); ++i)
+    branch_sums_[i % arcs] += branch_sums_[i];
+  add_up_branches(graph, partition, stand_, branch_of_, std::span(branch_sums_).first(arcs), sums_);
+}
+
+void RegionSolver::weigh_neighbours() {
+  sum_branches();
   const Timed timed(seconds_.movement);
-  const SeedMoveView view{graph, local_.partition, sums_, extended_};
+  const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
   promises_.clear();
-  for (const NodeId v : graph.neighbours(stand_)) {
+  for (const NodeId v : local_.graph.neighbours(stand_)) {
     if (score_[v] == never_scored) promises_.push_back({heuristic(view, stand_, v), v});
   }
   std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
@@ -102,8 +146,18 @@ NodeId RegionSolver::best_promise() const {
 }
 
 Score RegionSolver::score_of(NodeId node) {
+  if (shared_) {
+    search_shared(node);
+    const Timed timed(seconds_.scoring);
+    return shared_->score();
+  }
   if (ahead_[node] == never_scored) look_ahead(node);
   return ahead_[node];
+}
+
+void RegionSolver::search_shared(NodeId source) {
+  const Timed timed(seconds_.locked_search);
+  shared_->run(local_.partition, stand_, branch_of_, source);
 }
 
 // Fills the lanes with `node` and what may follow it.

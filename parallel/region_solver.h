@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "parallel/branches.h"
 #include "parallel/lane_search.h"
 #include "parallel/local_region.h"
+#include "parallel/scheduler.h"
+#include "parallel/shared_search.h"
 
 namespace geolloyd {
 
@@ -36,7 +39,9 @@ class RegionSolver {
 
   /// Of the region copied into local(), from `seed` and its keys and score. Leaves there the keys
   /// of where the seed came to rest. Once `stopped`, returns with the seed and the keys anywhere.
+  /// Works alone, or with all threads of `scheduler`.
   Outcome solve(NodeId seed, Score score, bool extended);
+  Outcome solve(Scheduler& scheduler, NodeId seed, Score score, bool extended);
 
   LocalRegion& local() { return local_; }
   /// Time spent in here since this was last asked.
@@ -49,18 +54,23 @@ class RegionSolver {
     NodeId node;
   };
 
+  Outcome walk(NodeId seed, Score score, bool extended);
   void begin(NodeId seed, Score score);
   void stand_at(NodeId node);
   void move_keys_to(NodeId node);
-  void find_order();
+  void sum_branches();
   void weigh_neighbours();
   NodeId best_promise() const;
   Score score_of(NodeId node);
   void look_ahead(NodeId node);
+  void search_shared(NodeId source);
   void search_from_sources();
+  void find_order();
   void offset_lane(std::size_t lane);
 
   const std::atomic<bool>& stopped_;
+  Scheduler alone_{1};
+  Scheduler* scheduler_ = &alone_;
   bool extended_ = true;
   LocalRegion local_;
 
@@ -75,6 +85,7 @@ class RegionSolver {
   BranchOf branch_of_;
   SubtreeSums sums_;
 
+  std::unique_ptr<SharedSearch> shared_;  // null when working alone
   LaneSearch lanes_;
   std::vector<NodeId> sources_;  // of the lanes; none where these are not of this stand
 

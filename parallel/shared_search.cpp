@@ -1,0 +1,59 @@
+#include "parallel/shared_search.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "parallel/primitives.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+}  // namespace
+
+SharedSearch::SharedSearch(Scheduler& scheduler, const Graph& graph)
+    : scheduler_(scheduler),
+      graph_(graph),
+      delta_stepping_(scheduler, graph),
+      keys_(graph.node_count()) {
+  members_.first = {0, static_cast<NodeId>(graph.node_count())};
+  members_.node.resize(graph.node_count());
+  std::iota(members_.node.begin(), members_.node.end(), NodeId{0});
+  constexpr RegionId only = 0;
+  pieces_ = cut_into_pieces(members_, {&only, 1});
+}
+
+// What is in the subtree of a neighbour of the stand is nearer to it by its distance; the rest, and
+// all from any other source, is farther by that at most.
+void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
+                       NodeId source) {
+  source_ = source;
+  const std::uint32_t distance = distance_of(partition.key[source]);
+  const std::span<const NodeId> neighbours = graph_.neighbours(stand);
+  std::vector<std::uint8_t> below;
+  if (std::binary_search(neighbours.begin(), neighbours.end(), source)) {
+    find_branches_below(graph_, partition, stand, branch_of, source, below);
+  }
+  for_items(scheduler_, keys_.size(), grain, [&](std::size_t v) {
+    const bool nearer = branch_of[v] < below.size() && below[branch_of[v]] != 0;
+    const Key key = partition.key[v];
+    keys_[v] = nearer ? key - make_key(distance, 0) : along(key, distance);
+  });
+  keys_[source] = make_key(0, 0);
+  std::vector<std::uint8_t> is_changed(1);
+  delta_stepping_.repair(members_, pieces_, keys_, is_changed);
+}
+
+Score SharedSearch::score() const {
+  return sum_ranges<Score>(scheduler_, keys_.size(), grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             Score sum = 0;
+                             for (std::size_t v = begin; v < end; ++v) {
+                               sum += node_score(distance_of(keys_[v]), graph_.mass[v]);
+                             }
+                             return sum;
+                           });
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/energy.h"
+#include "core/graph.h"
+#include "core/partition.h"
+#include "parallel/branches.h"
+#include "parallel/delta_stepping.h"
+#include "parallel/members.h"
+#include "parallel/scheduler.h"
+
+namespace geolloyd {
+
+/// Shortest distances over one large graph from one source at a time, by all threads: what lanes
+/// (lane_search.h) are to small regions. The bounds to start from are the same.
+class SharedSearch {
+ public:
+  SharedSearch(Scheduler& scheduler, const Graph& graph);
+
+  /// Distances from `source`, given those from `stand` and its branches (branches.h).
+  void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
+
+  // Of the last run:
+  [[nodiscard]] NodeId source() const { return source_; }
+  [[nodiscard]] Score score() const;
+  void swap_keys(std::vector<Key>& keys) {
+    keys_.swap(keys);
+    source_ = no_id;
+  }
+
+ private:
+  Scheduler& scheduler_;
+  const Graph& graph_;
+  DeltaStepping delta_stepping_;
+  Members members_;  // one region: all nodes
+  std::vector<Piece> pieces_;
+  std::vector<Key> keys_;
+  NodeId source_ = no_id;
+};
+
+}  // namespace geolloyd
