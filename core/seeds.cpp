@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/energy.h"
 #include "core/errors.h"
-#include "core/indexed_heap.h"
 #include "core/partition.h"
 #include "core/random.h"
 #include "core/weighted_sampler.h"
@@ -15,46 +15,65 @@
 namespace geolloyd {
 namespace {
 
-/// Distances to the nearest of a growing set of seeds.
-class GrowingSearch {
+// Finds the farthest of some nodes, again and again while their keys become lower. Keeps the
+// farthest of each block of them, and looks through a block again only after one of it changed.
+class FarthestNode {
  public:
-  explicit GrowingSearch(const Graph& graph)
-      : graph_(graph),
-        heap_(graph.node_count()),
-        distance_(graph.node_count(), unreached_distance) {}
+  /// `place` holds one number per node of the graph and is used at `nodes`, which are ascending.
+  FarthestNode(std::span<const NodeId> nodes, const std::vector<Key>& keys,
+               std::vector<std::uint32_t>& place)
+      : nodes_(nodes),
+        keys_(keys),
+        place_(place),
+        farthest_((nodes.size() + block_size - 1) / block_size, no_id),
+        is_stale_(farthest_.size(), 1) {
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = i;
+  }
 
-  [[nodiscard]] std::uint32_t distance(NodeId v) const { return distance_[v]; }
+  void note_changed(std::span<const NodeId> changed) {
+    for (const NodeId v : changed) is_stale_[place_[v] / block_size] = 1;
+  }
 
-  /// Adds a seed and visits each node that is nearer to it than to those before.
-  template <class Visit>
-  void add(NodeId seed, Visit&& visit) {
-    distance_[seed] = 0;
-    heap_.push_or_decrease(seed, 0);
-    while (!heap_.empty()) {
-      const NodeId v = heap_.pop();
-      visit(v);
-      for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
-        const NodeId u = graph_.target[a];
-        const std::uint32_t offered = distance_[v] + graph_.length[a];
-        if (offered >= distance_[u]) continue;
-        distance_[u] = offered;
-        heap_.push_or_decrease(u, offered);
-      }
+  /// The smallest of equals.
+  NodeId find() {
+    NodeId best = nodes_.front();
+    for (std::size_t b = 0; b < farthest_.size(); ++b) {
+      if (is_stale_[b] != 0) look_through(b);
+      if (is_farther(farthest_[b], best)) best = farthest_[b];
     }
+    return best;
   }
 
  private:
-  const Graph& graph_;
-  IndexedHeap heap_;
-  std::vector<std::uint32_t> distance_;
+  static constexpr std::size_t block_size = 1024;
+
+  [[nodiscard]] bool is_farther(NodeId a, NodeId b) const {
+    return distance_of(keys_[a]) > distance_of(keys_[b]);
+  }
+
+  void look_through(std::size_t block) {
+    const std::size_t begin = block * block_size;
+    const std::size_t end = std::min(begin + block_size, nodes_.size());
+    farthest_[block] = nodes_[begin];
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      if (is_farther(nodes_[i], farthest_[block])) farthest_[block] = nodes_[i];
+    }
+    is_stale_[block] = 0;
+  }
+
+  std::span<const NodeId> nodes_;
+  const std::vector<Key>& keys_;
+  std::vector<std::uint32_t>& place_;
+  std::vector<NodeId> farthest_;  // per block
+  std::vector<std::uint8_t> is_stale_;
 };
 
 class SeedChooser {
  public:
-  SeedChooser(const Graph& graph, std::uint64_t random_seed)
+  SeedChooser(const Graph& graph, std::uint64_t random_seed, GrowingSearch& search)
       : graph_(graph),
         random_seed_(random_seed),
-        search_(graph),
+        search_(search),
         sampler_(graph.node_count()),
         is_chosen_(graph.node_count(), false) {}
 
@@ -81,39 +100,21 @@ class SeedChooser {
 
   void choose_farthest(std::span<const NodeId> nodes, std::size_t count) {
     choose_random(nodes, 1);
-    search_.add(chosen_.back(), [](NodeId) {});
-    // Largest distance first, then smallest node. Entries may be out of date, but only too far: a
-    // distance never grows.
-    using Entry = std::pair<std::uint32_t, NodeId>;
-    std::vector<Entry> entries;
-    entries.reserve(nodes.size());
-    for (const NodeId v : nodes) entries.emplace_back(search_.distance(v), ~v);
-    std::priority_queue farthest(std::less<>(), std::move(entries));
-    for (--count; count > 0;) {
-      const auto [distance, complement] = farthest.top();
-      const NodeId v = ~complement;
-      farthest.pop();
-      if (search_.distance(v) != distance) {
-        farthest.emplace(search_.distance(v), complement);
-        continue;
-      }
-      choose(v);
-      search_.add(v, [](NodeId) {});
-      --count;
+    search_.add(chosen_.back());
+    place_.resize(graph_.node_count());
+    FarthestNode farthest(nodes, search_.keys(), place_);
+    for (--count; count > 0; --count) {
+      choose(farthest.find());
+      farthest.note_changed(search_.add(chosen_.back()));
     }
   }
 
   void choose_plus_plus(std::span<const NodeId> nodes, std::size_t count) {
-    const auto update = [this](NodeId v) {
-      const std::uint64_t distance = search_.distance(v);
-      const std::uint64_t squared = distance * distance;
-      sampler_.set(v, Uint128{squared} * graph_.mass[v]);
-    };
     choose_by_area(nodes, 1);
-    search_.add(chosen_.back(), update);
+    weigh(search_.add(chosen_.back()));
     for (--count; count > 0 && sampler_.total() > 0; --count) {
       choose(draw());
-      search_.add(chosen_.back(), update);
+      weigh(search_.add(chosen_.back()));
     }
     forget_weights(nodes);
     choose_random(nodes, count);
@@ -125,6 +126,12 @@ class SeedChooser {
   void choose(NodeId v) {
     is_chosen_[v] = true;
     chosen_.push_back(v);
+  }
+
+  void weigh(std::span<const NodeId> nodes) {
+    for (const NodeId v : nodes) {
+      sampler_.set(v, node_score(distance_of(search_.keys()[v]), graph_.mass[v]));
+    }
   }
 
   NodeId draw() {
@@ -139,8 +146,9 @@ class SeedChooser {
   const Graph& graph_;
   std::uint64_t random_seed_;
   std::uint64_t draws_ = 0;
-  GrowingSearch search_;
-  WeightedSampler sampler_;  // per node; all weights 0 between components
+  GrowingSearch& search_;
+  std::vector<std::uint32_t> place_;  // per node, within its component
+  WeightedSampler sampler_;           // per node; all weights 0 between components
   std::vector<bool> is_chosen_;
   std::vector<NodeId> chosen_;
 };
@@ -195,9 +203,15 @@ void check_count(const Graph& graph, const Components& components, std::size_t c
 
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed) {
+  return choose_seeds(graph, components, init, count, random_seed, *make_growing_search(graph));
+}
+
+std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
+                                 std::size_t count, std::uint64_t random_seed,
+                                 GrowingSearch& search) {
   check_count(graph, components, count);
   const std::vector<std::size_t> share = share_out(graph, components, count);
-  SeedChooser chooser(graph, random_seed);
+  SeedChooser chooser(graph, random_seed, search);
   for (std::size_t c = 0; c < components.size(); ++c) {
     const std::span<const NodeId> nodes = components.nodes(c);
     switch (init) {

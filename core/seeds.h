@@ -6,6 +6,7 @@
 
 #include "core/components.h"
 #include "core/graph.h"
+#include "core/growing_search.h"
 
 namespace geolloyd {
 
@@ -23,5 +24,10 @@ enum class SeedInit {
 /// Throws InvalidInput where there are fewer seeds than components, or more than nodes.
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed);
+
+/// The same, with another way of searching; `search` has no seeds yet.
+std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
+                                 std::size_t count, std::uint64_t random_seed,
+                                 GrowingSearch& search);
 
 }  // namespace geolloyd

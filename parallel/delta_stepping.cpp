@@ -40,12 +40,12 @@ void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys
     keys[seeds[r]] = make_key(0, r);
     buckets_.front().push(0, seeds[r]);
   }
-  settle(keys, [](Key, Key) {});
+  settle(keys, [](Buckets&, NodeId, Key, Key) {});
 }
 
 void DeltaStepping::repair(const Members& members, std::span<const Piece> suspects,
                            std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
-  const auto note_change = [&](Key before, Key after) {
+  const auto note_change = [&](Buckets&, NodeId, Key before, Key after) {
     if (before != unreached) set(is_changed[region_of(before)]);
     set(is_changed[region_of(after)]);
   };
@@ -56,6 +56,25 @@ void DeltaStepping::repair(const Members& members, std::span<const Piece> suspec
                }
              });
   settle(keys, note_change);
+}
+
+// Most seeds of many are near to few nodes: one thread does these before others would be awake.
+void DeltaStepping::add_seed(NodeId seed, RegionId region, std::vector<Key>& keys,
+                             std::vector<NodeId>& nearer) {
+  constexpr std::size_t few = 1 << 14;
+  const auto note = [](Buckets& mine, NodeId v, Key, Key) { mine.lowered.push_back(v); };
+  Buckets& mine = buckets_.front();
+  keys[seed] = make_key(0, region);
+  mine.lowered.push_back(seed);
+  mine.push(0, seed);
+  for (std::size_t b = 0; b < mine.at.size() && mine.lowered.size() < few; ++b) {
+    relax_alone(b, keys, mine, few, note);
+  }
+  settle(keys, note);
+  for (Buckets& b : buckets_) {
+    nearer.insert(nearer.end(), b.lowered.begin(), b.lowered.end());
+    b.lowered.clear();
+  }
 }
 
 template <class OnLowered>
@@ -97,7 +116,7 @@ void DeltaStepping::relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, 
     const Key offered = along(key, graph_.length[a]);
     const Key before = lower_key(keys[u], offered);
     if (offered >= before) continue;
-    on_lowered(before, offered);
+    on_lowered(mine, u, before, offered);
     mine.push(bucket_of(offered), u);
   }
 }
@@ -130,13 +149,13 @@ void DeltaStepping::examine(NodeId v, std::vector<Key>& keys, Buckets& mine,
     if (own == unreached || offered >= key) continue;
     const Key before = lower_key(keys[u], offered);
     if (offered >= before) continue;
-    on_lowered(before, offered);
+    on_lowered(mine, u, before, offered);
     mine.push(bucket_of(offered), u);
   }
   if (lowest >= own) return;
   const Key before = lower_key(keys[v], lowest);
   if (lowest >= before) return;
-  on_lowered(before, lowest);
+  on_lowered(mine, v, before, lowest);
   mine.push(bucket_of(lowest), v);
 }
 

@@ -30,11 +30,16 @@ class DeltaStepping {
   void repair(const Members& members, std::span<const Piece> suspects, std::vector<Key>& keys,
               std::vector<std::uint8_t>& is_changed);
 
+  /// Of `keys` that are a partition already: lowers those nearer to `seed`, a new region's, and
+  /// adds them to `nearer`, maybe more than once.
+  void add_seed(NodeId seed, RegionId region, std::vector<Key>& keys, std::vector<NodeId>& nearer);
+
  private:
   // What one thread has lowered, by distance / delta. On a line of its own in the cache.
   struct alignas(64) Buckets {
     std::vector<std::vector<NodeId>> at;
-    std::vector<NodeId> again;  // being relaxed alone
+    std::vector<NodeId> again;    // being relaxed alone
+    std::vector<NodeId> lowered;  // as far as somebody wants to know
 
     void push(std::size_t bucket, NodeId v) {
       if (at.size() <= bucket) at.resize(bucket + 1);

@@ -20,11 +20,11 @@
 namespace geolloyd {
 namespace {
 
-void relax_seeds(RunRecord& run, std::vector<NodeId> seeds, ProgressLine& progress) {
+void relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds,
+                 ProgressLine& progress) {
   const Stopwatch watch;
   const Graph& graph = run.mesh_graph.graph;
   const std::size_t count = seeds.size();
-  Scheduler scheduler = make_scheduler(run.arguments);
   run.threads = run.arguments.engine == "reference" ? 1 : scheduler.threads();
   const auto engine = run.arguments.engine == "reference"
                           ? make_reference_engine(graph)
@@ -93,10 +93,11 @@ void run_relax(const RelaxArguments& arguments) {
   RunRecord run;
   run.arguments = arguments;
   ProgressLine progress;
-  std::vector<NodeId> seeds = prepare(run, progress);
+  Scheduler scheduler = make_scheduler(arguments);
+  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
-  relax_seeds(run, std::move(seeds), progress);
+  relax_seeds(run, scheduler, std::move(seeds), progress);
 
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;

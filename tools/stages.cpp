@@ -5,6 +5,7 @@
 #include "core/seeds.h"
 #include "core/stopwatch.h"
 #include "core/tangent_field_file.h"
+#include "parallel/growing_search.h"
 #include "tools/names.h"
 
 namespace geolloyd {
@@ -33,15 +34,17 @@ void build_graph(RunRecord& run, const MeshEdges& edges) {
   run.seconds.graph += watch.seconds();
 }
 
-std::vector<NodeId> first_seeds(RunRecord& run) {
+std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
-  const Components components = connected_components(run.mesh_graph.graph);
+  const Graph& graph = run.mesh_graph.graph;
+  const Components components = connected_components(graph);
   run.components = components.size();
   std::vector<NodeId> seeds =
-      a.seeds_file.empty() ? choose_seeds(run.mesh_graph.graph, components,
-                                          value_of(seed_init_names, a.init), a.seeds, a.random_seed)
-                           : read_seed_file(a.seeds_file, run.mesh_graph, components);
+      a.seeds_file.empty()
+          ? choose_seeds(graph, components, value_of(seed_init_names, a.init), a.seeds,
+                         a.random_seed, *make_growing_search(scheduler, graph))
+          : read_seed_file(a.seeds_file, run.mesh_graph, components);
   run.seconds.seeds = watch.seconds();
   return seeds;
 }
@@ -52,7 +55,7 @@ Scheduler make_scheduler(const RelaxArguments& a) {
   return Scheduler(a.threads, value_of(backend_names, a.backend));
 }
 
-std::vector<NodeId> prepare(RunRecord& run, ProgressLine& progress) {
+std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {
   progress.stage("reading " + run.arguments.mesh.string());
   {
     const MeshEdges edges = load(run);
@@ -60,7 +63,7 @@ std::vector<NodeId> prepare(RunRecord& run, ProgressLine& progress) {
     build_graph(run, edges);
   }
   progress.stage("choosing seeds");
-  return first_seeds(run);
+  return first_seeds(run, scheduler);
 }
 
 }  // namespace geolloyd

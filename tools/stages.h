@@ -13,6 +13,6 @@ Scheduler make_scheduler(const RelaxArguments& a);
 
 /// All that comes before the relaxation: reads and checks the mesh, builds the graph, chooses or
 /// reads the first seeds and returns them. Fills in what `run` has to say of these stages.
-std::vector<NodeId> prepare(RunRecord& run, ProgressLine& progress);
+std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
 
 }  // namespace geolloyd

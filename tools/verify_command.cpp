@@ -48,10 +48,10 @@ void run_verify(const RelaxArguments& arguments) {
   RunRecord run;
   run.arguments = arguments;
   ProgressLine progress;
-  std::vector<NodeId> seeds = prepare(run, progress);
+  Scheduler scheduler = make_scheduler(arguments);
+  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
   catch_interrupts();
   const Graph& graph = run.mesh_graph.graph;
-  Scheduler scheduler = make_scheduler(arguments);
   run.threads = scheduler.threads();
   const auto reference = make_reference_engine(graph);
   const auto parallel =
