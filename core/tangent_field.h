@@ -22,8 +22,8 @@ struct TangentSpace {
 /// section on anisotropy; mirror images, for fields of mixed handedness, are ours).
 TangentSpace average(const TangentSpace& a, const TangentSpace& b);
 
-/// Space of each triangle: the average of its first two vertices' with the third's.
-std::vector<TangentSpace> triangle_spaces(const Mesh& mesh,
-                                          const std::vector<TangentSpace>& vertex_space);
+/// Space of a triangle: the average of its first two vertices' with the third's.
+TangentSpace triangle_space(const Triangle& triangle,
+                            const std::vector<TangentSpace>& vertex_space);
 
 }  // namespace geolloyd
