@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,7 @@ std::vector<std::uint32_t> spatial_order_on(Executor& executor, std::size_t coun
 
   // Coarse cells first: what is left to sort then fits into the nearest cache.
   using Entry = std::pair<std::uint64_t, std::uint32_t>;
-  constexpr int coarse_bits = 18;
+  const auto coarse_bits = std::min<std::size_t>(std::bit_width(count), 18);
   Groups<Entry> cells = group_items<Entry>(
       executor, std::size_t{1} << coarse_bits, count, [&](std::size_t i, auto&& put) {
         put(codes[i] >> (63 - coarse_bits), Entry(codes[i], static_cast<std::uint32_t>(i)));
