@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/grouping.h"
 #include "core/mesh_graph.h"
@@ -37,7 +38,7 @@ class LinkBuilder {
               const MeshGraphOptions& options, const MeshGraph& target)
       : executor_(executor), mesh_(mesh), edges_(edges), options_(options), target_(target) {
     if (has_triangles(options.kind) && !options.vertex_space.empty()) {
-      triangle_space_ = Buffer<TangentSpace>(mesh.triangle_count());
+      resize_large(triangle_space_, mesh.triangle_count());
       for_items(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
         triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space);
       });
@@ -86,8 +87,7 @@ class LinkBuilder {
 
   [[nodiscard]] Place triangle(TriangleId t) const {
     const NodeId node = triangle_node(t);
-    return {node, target_.position[node],
-            triangle_space_.size() == 0 ? nullptr : &triangle_space_[t]};
+    return {node, target_.position[node], triangle_space_.empty() ? nullptr : &triangle_space_[t]};
   }
 
   void link_along(std::size_t edge, Link* link) const {
@@ -154,7 +154,7 @@ class LinkBuilder {
   const MeshEdges& edges_;
   const MeshGraphOptions& options_;
   const MeshGraph& target_;
-  Buffer<TangentSpace> triangle_space_;
+  std::vector<TangentSpace> triangle_space_;
   Groups<CornerId> fans_;  // corners at each vertex
   Buffer<double> legs_;    // of each of these
 };

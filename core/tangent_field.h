@@ -12,8 +12,8 @@ namespace geolloyd {
 struct TangentSpace {
   Vec3 tangent;
   Vec3 bitangent;
-  double tangent_magnitude;
-  double bitangent_magnitude;
+  double tangent_magnitude = 1;
+  double bitangent_magnitude = 1;
 };
 
 /// The mean of two spaces: of the quarter turns of `b` and of its mirror image, which are all the
