@@ -3,20 +3,16 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/large_pages.h"
-
 namespace geolloyd {
 
-/// An array of a size known beforehand whose elements hold nothing until written: memory then
-/// comes to be where, and by whichever thread, it is first used.
+/// An array whose elements hold nothing until written. The first write to a page of memory costs as
+/// much as hundreds to it later, and so is paid by the threads that share the writing.
 template <class T>
 class Buffer {
  public:
   Buffer() = default;
   explicit Buffer(std::size_t size)
-      : elements_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {
-    prefer_large_pages(data(), size * sizeof(T));
-  }
+      : elements_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] T* data() { return elements_.get(); }

@@ -74,8 +74,8 @@ inline std::uint32_t to_length_ticks(double length, double tick) {
 }
 std::uint32_t to_mass_ticks(double mass, double tick);
 
-/// See graph.h. The masses are those that masses() returns: like the choice of a tick it may be one
-/// thread's work, and so it is called beside that.
+/// See graph.h. The masses are those that masses() returns. Like the choice of a tick that may be
+/// one thread's work, and taking memory is, so all are done at once.
 template <class Executor, class Masses>
 Graph make_graph_on(Executor& executor, std::span<const Link> links, std::size_t nodes,
                     Masses&& masses) {
@@ -89,9 +89,9 @@ Graph make_graph_on(Executor& executor, std::span<const Link> links, std::size_t
         mass = masses();
         graph.tick_mass = choose_tick_mass(mass);
         graph.mass.resize(nodes);
-        resize_large(graph.target, rows.first_arc.back());
-        resize_large(graph.length, rows.first_arc.back());
-      });
+      },
+      [&] { graph.target.resize(rows.first_arc.back()); },
+      [&] { graph.length.resize(rows.first_arc.back()); });
   for_items(executor, nodes, small_items, [&](std::size_t v) {
     ArcId place = rows.first_arc[v];
     for (const LinkedArc arc : rows.row(static_cast<NodeId>(v))) {

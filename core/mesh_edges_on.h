@@ -75,9 +75,8 @@ MeshEdges find_edges_on(Executor& executor, const Mesh& mesh) {
 
   MeshEdges edges;
   run_each(
-      executor, [&] { resize_large(edges.ends, count); },
-      [&] { resize_large(edges.first_corner, count + 1); },
-      [&] { resize_large(edges.corner, groups.entry.size()); });
+      executor, [&] { edges.ends.resize(count); }, [&] { edges.first_corner.resize(count + 1); },
+      [&] { edges.corner.resize(groups.entry.size()); });
   for_items(executor, groups.size(), small_items, [&](std::size_t low) {
     std::uint32_t edge = first_edge[low];
     VertexId previous = no_id;

@@ -31,8 +31,9 @@ void number_nodes(Executor& executor, const Mesh& mesh, MeshGraph& target) {
   const std::vector<std::uint32_t> used = used_input_ids(executor, mesh, target);
   const std::vector<std::uint32_t> order = spatial_order_on(
       executor, used.size(), [&](std::size_t i) { return position_of(mesh, target, used[i]); });
-  resize_large(target.input_id, used.size());
-  resize_large(target.position, used.size());
+  run_each(
+      executor, [&] { target.input_id.resize(used.size()); },
+      [&] { target.position.resize(used.size()); });
   for_items(executor, used.size(), small_items, [&](std::size_t node) {
     const std::uint32_t id = used[order[node]];
     target.node_of[id] = static_cast<NodeId>(node);

@@ -38,7 +38,7 @@ class LinkBuilder {
               const MeshGraphOptions& options, const MeshGraph& target)
       : executor_(executor), mesh_(mesh), edges_(edges), options_(options), target_(target) {
     if (has_triangles(options.kind) && !options.vertex_space.empty()) {
-      resize_large(triangle_space_, mesh.triangle_count());
+      triangle_space_.resize(mesh.triangle_count());
       for_items(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
         triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space);
       });
