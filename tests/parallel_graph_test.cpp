@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -21,7 +23,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 bool same_bytes(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 void expect_same(const MeshEdges& a, const MeshEdges& b) {
@@ -79,7 +81,7 @@ constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, Gr
 // One scheduler at a time: several of oneTBB's would limit each other.
 template <class Body>
 void for_teams(Body&& body) {
-  for (const std::size_t threads : {1, 2, 3, 8}) {
+  for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
     for (const Backend backend : {Backend::tbb, Backend::openmp}) {
       SCOPED_TRACE(testing::Message() << threads << " threads of backend " << int(backend));
       Scheduler scheduler(threads, backend);
@@ -104,6 +106,7 @@ void expect_twins_agree(const Mesh& mesh) {
   const MeshFacts facts = check_mesh(mesh, edges);
   const std::vector<MeshGraphOptions> options = all_options(mesh);
   std::vector<MeshGraph> expected;
+  expected.reserve(options.size());
   for (const MeshGraphOptions& o : options) expected.push_back(make_mesh_graph(mesh, edges, o));
   for_teams([&](Scheduler& scheduler) {
     expect_same(find_edges(scheduler, mesh), edges);
@@ -175,7 +178,7 @@ TEST(ParallelGraph, OfALargeScatteredMesh) {
   Mesh mesh = creature(30'000, 1);
   for (const Mesh& more : {torus(12'000, 2), untidy(), irregular_plane(10'000, 4)}) {
     const auto offset = static_cast<VertexId>(mesh.vertex_count());
-    for (const Vec3& p : more.positions) mesh.positions.push_back(p + Vec3(3, 0, 0));
+    for (const Vec3& p : more.positions) mesh.positions.emplace_back(p + Vec3(3, 0, 0));
     for (const Triangle& t : more.triangles) {
       mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
     }
