@@ -26,20 +26,12 @@ inline VertexId edge_end(const Mesh& mesh, CornerId corner) {
   return mesh.triangles[corner / 3][(corner + 2) % 3];
 }
 
-/// Calls `visit` with each corner of the triangles that have three vertices, ascending.
+/// Calls `visit` with each corner of a triangle, ascending; with none where it names a vertex
+/// twice.
 template <class Visit>
-void for_each_corner(const Mesh& mesh, Visit&& visit) {
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!has_three_vertices(mesh.triangles[t])) continue;
-    for (std::uint32_t c = 0; c < 3; ++c) visit(static_cast<CornerId>(3 * t + c));
-  }
-}
-
-/// Per vertex, whether it is a corner of such a triangle.
-inline std::vector<bool> referenced_vertices(const Mesh& mesh) {
-  std::vector<bool> referenced(mesh.vertex_count(), false);
-  for_each_corner(mesh, [&](CornerId corner) { referenced[apex(mesh, corner)] = true; });
-  return referenced;
+void for_each_corner(const Mesh& mesh, std::size_t triangle, Visit&& visit) {
+  if (!has_three_vertices(mesh.triangles[triangle])) return;
+  for (std::uint32_t c = 0; c < 3; ++c) visit(static_cast<CornerId>(3 * triangle + c));
 }
 
 /// The undirected edges of a mesh, each once, with the corners (one per incident triangle) opposite
@@ -48,6 +40,7 @@ struct MeshEdges {
   std::vector<std::array<VertexId, 2>> ends;  ///< smaller vertex first; edges in ascending order
   std::vector<std::uint32_t> first_corner;    ///< per edge, and one more
   std::vector<CornerId> corner;               ///< ascending within an edge
+  std::vector<TriangleId> duplicates;         ///< with the vertices of an earlier one; ascending
 
   [[nodiscard]] std::size_t size() const { return ends.size(); }
   [[nodiscard]] std::span<const CornerId> corners(std::size_t edge) const {

@@ -1,9 +1,6 @@
 #include "core/spatial_order.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "core/bounding_box.h"
+#include "core/spatial_order_on.h"
 
 namespace geolloyd {
 namespace {
@@ -19,31 +16,22 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | (x << 2)) & 0x1249249249249249u;
 }
 
-std::uint64_t morton_code(const Vec3& p, const Vec3& low, double extent) {
+}  // namespace
+
+MortonGrid::MortonGrid(const BoundingBox& box) : low(box.low), extent(box.extent().maxCoeff()) {
+  if (!(extent > 0)) extent = 1;
+}
+
+std::uint64_t MortonGrid::code(const Vec3& p) const {
   const auto cell = [&](int axis) {
     return static_cast<std::uint64_t>((p[axis] - low[axis]) / extent * most_cells);
   };
   return (spread(cell(0)) << 2) | (spread(cell(1)) << 1) | spread(cell(2));
 }
 
-}  // namespace
-
 std::vector<std::uint32_t> spatial_order(std::span<const Vec3> positions) {
-  const BoundingBox box = bounding_box(positions);
-  const double widest = box.extent().maxCoeff();
-  const double extent = widest > 0 ? widest : 1;
-
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> codes;
-  codes.reserve(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    codes.emplace_back(morton_code(positions[i], box.low, extent), i);
-  }
-  std::sort(codes.begin(), codes.end());
-
-  std::vector<std::uint32_t> order;
-  order.reserve(codes.size());
-  for (const auto& [code, index] : codes) order.push_back(index);
-  return order;
+  Sequential one;
+  return spatial_order_on(one, positions.size(), [&](std::size_t i) { return positions[i]; });
 }
 
 }  // namespace geolloyd

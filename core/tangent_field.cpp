@@ -30,14 +30,10 @@ TangentSpace average(const TangentSpace& a, const TangentSpace& b) {
           (a.bitangent_magnitude + nearest.bitangent_magnitude) / 2};
 }
 
-std::vector<TangentSpace> triangle_spaces(const Mesh& mesh,
-                                          const std::vector<TangentSpace>& vertex_space) {
-  std::vector<TangentSpace> spaces;
-  spaces.reserve(mesh.triangle_count());
-  for (const Triangle& t : mesh.triangles) {
-    spaces.push_back(average(average(vertex_space[t[0]], vertex_space[t[1]]), vertex_space[t[2]]));
-  }
-  return spaces;
+TangentSpace triangle_space(const Triangle& triangle,
+                            const std::vector<TangentSpace>& vertex_space) {
+  return average(average(vertex_space[triangle[0]], vertex_space[triangle[1]]),
+                 vertex_space[triangle[2]]);
 }
 
 }  // namespace geolloyd

@@ -12,8 +12,8 @@ namespace geolloyd {
 struct TangentSpace {
   Vec3 tangent;
   Vec3 bitangent;
-  double tangent_magnitude;
-  double bitangent_magnitude;
+  double tangent_magnitude = 1;
+  double bitangent_magnitude = 1;
 };
 
 /// The mean of two spaces: of the quarter turns of `b` and of its mirror image, which are all the
@@ -22,8 +22,8 @@ struct TangentSpace {
 /// section on anisotropy; mirror images, for fields of mixed handedness, are ours).
 TangentSpace average(const TangentSpace& a, const TangentSpace& b);
 
-/// Space of each triangle: the average of its first two vertices' with the third's.
-std::vector<TangentSpace> triangle_spaces(const Mesh& mesh,
-                                          const std::vector<TangentSpace>& vertex_space);
+/// Space of a triangle: the average of its first two vertices' with the third's.
+TangentSpace triangle_space(const Triangle& triangle,
+                            const std::vector<TangentSpace>& vertex_space);
 
 }  // namespace geolloyd

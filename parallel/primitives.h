@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -69,11 +72,11 @@ void for_items(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&
 /// Sum of body(begin, end) over such ranges. For types whose sum is exact, the same every time.
 template <class Sum, class Body>
 Sum sum_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body&& body) {
-  std::vector<Sum> of_worker(scheduler.threads(), Sum{0});
+  std::vector<Sum> of_worker(scheduler.threads());
   for_ranges(scheduler, count, grain, [&](std::size_t begin, std::size_t end, std::size_t worker) {
     of_worker[worker] += body(begin, end);
   });
-  Sum sum{0};
+  Sum sum{};
   for (const Sum& s : of_worker) sum += s;
   return sum;
 }
@@ -103,6 +106,30 @@ T exclusive_scan(Scheduler& scheduler, std::span<T> values) {
     }
   });
   return total;
+}
+
+/// Calls each of `works` once, at the same time where there are threads for it.
+template <class... Works>
+void run_each(Scheduler& scheduler, Works&&... works) {
+  const std::array<std::function<void()>, sizeof...(Works)> each{std::ref(works)...};
+  for_items(scheduler, each.size(), 1, [&](std::size_t i) { each[i](); });
+}
+
+// Values that several threads may touch at once; nothing else is ordered by them.
+
+template <class T>
+T load(Scheduler& /*scheduler*/, T& value) {
+  return std::atomic_ref(value).load(std::memory_order_relaxed);
+}
+template <class T>
+void store(Scheduler& /*scheduler*/, T& value, T desired) {
+  std::atomic_ref(value).store(desired, std::memory_order_relaxed);
+}
+/// Writes `desired` if `value` is `expected`, and returns whether it was.
+inline bool replace(Scheduler& /*scheduler*/, std::uint32_t& value, std::uint32_t expected,
+                    std::uint32_t desired) {
+  return std::atomic_ref(value).compare_exchange_strong(expected, desired,
+                                                        std::memory_order_relaxed);
 }
 
 }  // namespace geolloyd

@@ -82,12 +82,12 @@ TEST(MeshCheck, CountsComponents) {
 
 TEST(MeshMeasure, FindsEveryCopyOfATriangle) {
   Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}, {1, 2, 0}, {2, 1, 0}, {3, 2, 0}}};
-  EXPECT_EQ(duplicate_triangles(mesh, find_edges(mesh)), (std::vector<TriangleId>{2, 3, 4}));
+  EXPECT_EQ(find_edges(mesh).duplicates, (std::vector<TriangleId>{2, 3, 4}));
 }
 
 TEST(MeshMeasure, SharesTheAreaAmongVertices) {
   const Mesh mesh = icosphere(2000);
-  const std::vector<double> of_triangle = triangle_areas(mesh, {});
+  const Buffer<double> of_triangle = triangle_areas(mesh, {});
   double by_triangle = 0;
   double by_vertex = 0;
   for (const double a : of_triangle) by_triangle += a;

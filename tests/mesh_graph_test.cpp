@@ -114,7 +114,7 @@ TEST(MeshGraph, IsSymmetricSortedAndFreeOfLoopsInEveryKindAndNorm) {
 
 TEST(MeshGraph, HasTheSurfaceAsItsMass) {
   const Mesh mesh = torus(600, 1);
-  const auto areas = triangle_areas(mesh, {});
+  const Buffer<double> areas = triangle_areas(mesh, {});
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (const GraphKind kind : all_kinds) {
     const Graph graph = make(mesh, kind).graph;

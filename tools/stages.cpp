@@ -6,31 +6,34 @@
 #include "core/stopwatch.h"
 #include "core/tangent_field_file.h"
 #include "parallel/growing_search.h"
+#include "parallel/mesh_check.h"
+#include "parallel/mesh_edges.h"
+#include "parallel/mesh_graph.h"
 #include "tools/names.h"
 
 namespace geolloyd {
 namespace {
 
 // Edges are arcs to be, so finding them counts as building the graph.
-MeshEdges load(RunRecord& run) {
+MeshEdges load(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
   run.input = read_mesh(run.arguments.mesh);
   const Stopwatch finding;
-  MeshEdges edges = find_edges(run.input.mesh);
+  MeshEdges edges = find_edges(scheduler, run.input.mesh);
   run.seconds.graph = finding.seconds();
-  run.facts = check_mesh(run.input.mesh, edges);
+  run.facts = check_mesh(scheduler, run.input.mesh, edges);
   run.seconds.load = watch.seconds() - run.seconds.graph;
   return edges;
 }
 
-void build_graph(RunRecord& run, const MeshEdges& edges) {
+void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges) {
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
   MeshGraphOptions options{value_of(graph_kind_names, a.graph), value_of(norm_names, a.norm), {}};
   if (!a.vfield.empty()) {
     options.vertex_space = read_tangent_field(a.vfield, run.input.mesh.vertex_count());
   }
-  run.mesh_graph = make_mesh_graph(run.input.mesh, edges, options);
+  run.mesh_graph = make_mesh_graph(scheduler, run.input.mesh, edges, options);
   run.seconds.graph += watch.seconds();
 }
 
@@ -58,9 +61,9 @@ Scheduler make_scheduler(const RelaxArguments& a) {
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {
   progress.stage("reading " + run.arguments.mesh.string());
   {
-    const MeshEdges edges = load(run);
+    const MeshEdges edges = load(run, scheduler);
     progress.stage("building the " + run.arguments.graph + " graph");
-    build_graph(run, edges);
+    build_graph(run, scheduler, edges);
   }
   progress.stage("choosing seeds");
   return first_seeds(run, scheduler);
