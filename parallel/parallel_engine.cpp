@@ -23,7 +23,7 @@ class ParallelEngine final : public Engine {
         free_(scheduler, graph, frontier, seconds_),
         local_of_(graph.node_count()) {
     for (std::size_t t = 0; t < scheduler.threads(); ++t) {
-      solvers_.push_back(std::make_unique<RegionSolver>(stopped_));
+      solvers_.push_back(std::make_unique<RegionSolver>(goes_on_));
     }
   }
 
@@ -55,22 +55,24 @@ class ParallelEngine final : public Engine {
     const Stopwatch watch;
     const std::vector<RegionId> active = active_regions(options);
     std::vector<std::uint32_t> moves(seeds.size(), 0);
-    stopped_ = false;
-    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> stopped = false;
     std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
-    const auto settle = [&](Scheduler* shared, RegionId r, RegionSolver& solver) {
-      if (stopped_) return;
+    goes_on_ = [&, caller = std::this_thread::get_id()] {
+      if (std::this_thread::get_id() == caller && !keep_going(moving)) stopped = true;
+      return !stopped.load(std::memory_order_relaxed);
+    };
+    const auto settle = [&](RegionId r, Scheduler* shared, RegionSolver& solver) {
+      if (stopped) return;
       moves[r] = settle_region(r, seeds[r], options.extended, shared, solver);
-      const std::uint32_t left = --moving;
-      if (std::this_thread::get_id() == caller && !keep_going(left)) stopped_ = true;
+      --moving;
     };
     const std::size_t large = count_large(active);
-    for (std::size_t i = 0; i < large; ++i) settle(&scheduler_, active[i], *solvers_.front());
+    for (std::size_t i = 0; i < large; ++i) settle(active[i], &scheduler_, *solvers_.front());
     for_ranges(scheduler_, active.size() - large, 1,
                [&](std::size_t i, std::size_t, std::size_t worker) {
-                 settle(nullptr, active[large + i], *solvers_[worker]);
+                 settle(active[large + i], nullptr, *solvers_[worker]);
                });
-    if (stopped_) {
+    if (stopped) {
       free_.forget();
     } else {
       free_.moved_to(seeds);
@@ -167,7 +169,7 @@ class ParallelEngine final : public Engine {
   bool extended_ = true;
   std::vector<NodeId> candidates_;  // per region; of the last update of the sums
   std::vector<NodeId> local_of_;    // per node, its number within its region
-  std::atomic<bool> stopped_ = false;
+  std::function<bool()> goes_on_;   // of the macrostep
   std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread
 };
 

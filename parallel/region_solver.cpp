@@ -35,7 +35,7 @@ RegionSolver::Outcome RegionSolver::walk(NodeId seed, Score score, bool extended
   auto at = static_cast<NodeId>(place - local_.node.begin());
   begin(at, score);
   std::uint32_t moves = 0;
-  while (!stopped_.load(std::memory_order_relaxed)) {
+  while (goes_on_()) {
     NodeId next = lower_neighbour(local_.graph, local_.partition.key, score_, at);
     if (next == no_id) {
       stand_at(at);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -35,10 +35,11 @@ class RegionSolver {
     std::uint32_t moves;  ///< of the reference engine
   };
 
-  explicit RegionSolver(const std::atomic<bool>& stopped) : stopped_(stopped) {}
+  /// `goes_on` is asked before each move; once it returns false the work ends.
+  explicit RegionSolver(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
 
   /// Of the region copied into local(), from `seed` and its keys and score. Leaves there the keys
-  /// of where the seed came to rest. Once `stopped`, returns with the seed and the keys anywhere.
+  /// of where the seed came to rest; if it may not go on till then, seed and keys are anywhere.
   /// Works alone, or with all threads of `scheduler`.
   Outcome solve(NodeId seed, Score score, bool extended);
   Outcome solve(Scheduler& scheduler, NodeId seed, Score score, bool extended);
@@ -68,7 +69,7 @@ class RegionSolver {
   void find_order();
   void offset_lane(std::size_t lane);
 
-  const std::atomic<bool>& stopped_;
+  const std::function<bool()>& goes_on_;
   Scheduler alone_{1};
   Scheduler* scheduler_ = &alone_;
   bool extended_ = true;

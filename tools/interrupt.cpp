@@ -1,5 +1,6 @@
 #include "tools/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
@@ -7,8 +8,11 @@
 namespace geolloyd {
 namespace {
 
-volatile std::sig_atomic_t signal_came = 0;
-volatile std::int64_t first_came_at = 0;  // milliseconds; read and written by the handler alone
+// Any thread may be the one to handle a signal.
+std::atomic<bool> signal_came = false;
+std::atomic<std::int64_t> first_came_at = 0;  // milliseconds
+static_assert(std::atomic<bool>::is_always_lock_free &&
+              std::atomic<std::int64_t>::is_always_lock_free);
 
 std::int64_t milliseconds_now() {
   timespec now{};
@@ -18,9 +22,9 @@ std::int64_t milliseconds_now() {
 
 extern "C" void note_signal(int number) {
   constexpr std::int64_t same_request = 500;
-  if (signal_came == 0) {
-    signal_came = 1;
+  if (!signal_came) {
     first_came_at = milliseconds_now();
+    signal_came = true;
   } else if (milliseconds_now() - first_came_at > same_request) {
     std::signal(number, SIG_DFL);
     std::raise(number);
@@ -41,7 +45,7 @@ void catch_interrupts() {
 }
 
 bool interrupted() {
-  return signal_came != 0;
+  return signal_came;
 }
 
 }  // namespace geolloyd

@@ -5,6 +5,7 @@
 #include <geolloyd/core/relaxation.h>
 #include <geolloyd/core/seeds.h>
 #include <geolloyd/core/shapes.h>
+#include <geolloyd/parallel/parallel_engine.h>
 #include <cstdio>
 
 int main() {
@@ -13,8 +14,11 @@ int main() {
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), {});
   const auto seeds =
       choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest, 12, 1);
-  const auto engine = make_reference_engine(made.graph);
+  const auto reference = make_reference_engine(made.graph);
+  const Relaxation expected = relax(made.graph, *reference, seeds, {});
+  Scheduler scheduler(2);
+  const auto engine = make_parallel_engine(scheduler, made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   std::printf("%zu regions, energy %g\n", result.seeds.size(), result.energy);
-  return result.end == End::converged ? 0 : 1;
+  return result.end == End::converged && result.fingerprint == expected.fingerprint ? 0 : 1;
 }
