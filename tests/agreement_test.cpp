@@ -2,8 +2,12 @@
 // options, the number of threads, the frontier, the backend.
 #include "tests/agreement.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
-#include <ostream>
+#include <span>
+#include <string>
 #include <tuple>
 
 #include "core/mesh_graph.h"
@@ -34,26 +38,35 @@ std::string describe(const Scheduler& scheduler, Frontier frontier) {
          std::to_string(static_cast<int>(frontier));
 }
 
-// Sanitizers make runs ten times as long: under them each case takes every fifth combination, and
-// the next case others.
+// Sanitizers make runs ten times as long: under them every fifth combination is tried, and the next
+// case tries others.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr std::size_t stride = 5;
 #else
 constexpr std::size_t stride = 1;
 #endif
 
-void expect_agreement_everywhere(const Graph& graph, const std::vector<NodeId>& seeds,
-                                 const RelaxationOptions& options) {
-  const Relaxation expected = relax_by_reference(graph, seeds, options);
+// Calls check(scheduler, frontier) for all combinations, until one fails.
+template <class Check>
+void for_all_teams(std::span<const Frontier> frontiers, Check&& check) {
   static std::size_t combination = 0;
   for (const auto& scheduler : schedulers()) {
-    for (const Frontier frontier : all_frontiers) {
+    for (const Frontier frontier : frontiers) {
       if (combination++ % stride != 0) continue;
       SCOPED_TRACE(describe(*scheduler, frontier));
-      expect_same(expected, relax_in_parallel(*scheduler, frontier, graph, seeds, options));
+      check(*scheduler, frontier);
       if (testing::Test::HasFatalFailure()) return;
     }
   }
+}
+
+void expect_agreement_everywhere(const Graph& graph, const std::vector<NodeId>& seeds,
+                                 const RelaxationOptions& options,
+                                 std::span<const Frontier> frontiers = all_frontiers) {
+  const Relaxation expected = relax_by_reference(graph, seeds, options);
+  for_all_teams(frontiers, [&](Scheduler& scheduler, Frontier frontier) {
+    expect_same(expected, relax_in_parallel(scheduler, frontier, graph, seeds, options));
+  });
 }
 
 std::vector<RelaxationOptions> all_options() {
@@ -164,14 +177,9 @@ TEST(Agreement, OnFewLargeRegions) {
   options.max_macrosteps = 2;
   for (const std::size_t count : {1, 2, 3}) {
     const auto seeds = choose_seeds(made.graph, components, SeedInit::random, count, 1);
-    const Relaxation expected = relax_by_reference(made.graph, seeds, options);
-    for (const auto& scheduler : schedulers()) {
-      for (const Frontier frontier : {Frontier::delta, Frontier::regions}) {
-        SCOPED_TRACE(describe(*scheduler, frontier));
-        expect_same(expected, relax_in_parallel(*scheduler, frontier, made.graph, seeds, options));
-        if (HasFatalFailure()) return;
-      }
-    }
+    expect_agreement_everywhere(made.graph, seeds, options,
+                                std::array{Frontier::delta, Frontier::regions});
+    if (HasFatalFailure()) return;
   }
 }
 
@@ -183,13 +191,7 @@ TEST(Agreement, OnARegionForAllThreads) {
   options.greedy = GreedyMode::off;
   options.max_macrosteps = 2;
   const std::vector<NodeId> seeds = {100, 130, 40000};
-  const Relaxation expected = relax_by_reference(made.graph, seeds, options);
-  for (const auto& scheduler : schedulers()) {
-    SCOPED_TRACE(describe(*scheduler, Frontier::automatic));
-    expect_same(expected,
-                relax_in_parallel(*scheduler, Frontier::automatic, made.graph, seeds, options));
-    if (HasFatalFailure()) return;
-  }
+  expect_agreement_everywhere(made.graph, seeds, options, std::array{Frontier::automatic});
 }
 
 // Engines may be asked for any seeds in any order, not only as the Lloyd loop does.
