@@ -85,35 +85,66 @@ void add_up_branches(const Graph& graph, const Partition& partition, NodeId seed
   }
 }
 
+void find_branches(const Graph& graph, const Partition& partition, NodeId seed,
+                   std::span<const NodeId> nodes, BranchOf& branch_of, std::vector<BranchSum>& sums,
+                   SubtreeSums& sums_at) {
+  sums.assign(graph.neighbours(seed).size(), {});
+  forget_branches(nodes, branch_of);
+  mark_branches(graph, partition.key, seed, branch_of);
+  add_to_branches(graph, partition, nodes, branch_of, sums);
+  add_up_branches(graph, partition, seed, branch_of, sums, sums_at);
+}
+
+namespace {
+
+// Several threads to a region: each step is done for all before the next begins.
+void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
+                            const Partition& partition, const Members& members,
+                            std::span<const Piece> parts, BranchOf& branch_of,
+                            SubtreeSums& sums_at) {
+  const auto is_first = [&](std::size_t i) {
+    return i == 0 || parts[i].region != parts[i - 1].region;
+  };
+  for_items(scheduler, parts.size(), 1,
+            [&](std::size_t i) { forget_branches(nodes_of(members, parts[i]), branch_of); });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (is_first(i)) mark_branches(graph, partition.key, seeds[parts[i].region], branch_of);
+  }
+  std::vector<std::vector<BranchSum>> sums(parts.size());
+  for_items(scheduler, parts.size(), 1, [&](std::size_t i) {
+    sums[i].resize(graph.neighbours(seeds[parts[i].region]).size());
+    add_to_branches(graph, partition, nodes_of(members, parts[i]), branch_of, sums[i]);
+  });
+  for (std::size_t first = 0; first < parts.size();) {
+    const RegionId region = parts[first].region;
+    std::size_t next = first + 1;
+    for (; next < parts.size() && !is_first(next); ++next) {
+      for (std::size_t b = 0; b < sums[first].size(); ++b) sums[first][b] += sums[next][b];
+    }
+    add_up_branches(graph, partition, seeds[region], branch_of, sums[first], sums_at);
+    first = next;
+  }
+}
+
+}  // namespace
+
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                    const Partition& partition, const Members& members,
                    std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at) {
-  const auto nodes_of = [&](const Piece& p) {
-    return std::span<const NodeId>(members.node).subspan(p.begin, p.end - p.begin);
-  };
-  const std::size_t grain = grain_of(pieces);
-  // First in its region: there the region begins, and its sums are gathered.
-  const auto is_first = [&](std::size_t i) {
-    return pieces[i].begin == members.first[pieces[i].region];
-  };
-  for_items(scheduler, pieces.size(), grain,
-            [&](std::size_t i) { forget_branches(nodes_of(pieces[i]), branch_of); });
-  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
-    if (is_first(i)) mark_branches(graph, partition.key, seeds[pieces[i].region], branch_of);
-  });
-  std::vector<std::vector<BranchSum>> sums(pieces.size());
-  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
-    sums[i].resize(graph.neighbours(seeds[pieces[i].region]).size());
-    add_to_branches(graph, partition, nodes_of(pieces[i]), branch_of, sums[i]);
-  });
-  for_items(scheduler, pieces.size(), grain, [&](std::size_t i) {
-    if (!is_first(i)) return;
-    const RegionId region = pieces[i].region;
-    for (std::size_t j = i + 1; j < pieces.size() && pieces[j].region == region; ++j) {
-      for (std::size_t b = 0; b < sums[i].size(); ++b) sums[i][b] += sums[j][b];
-    }
-    add_up_branches(graph, partition, seeds[region], branch_of, sums[i], sums_at);
-  });
+  std::vector<std::vector<BranchSum>> of_worker(scheduler.threads());
+  std::vector<Piece> parts;  // of regions of several pieces
+  for (const Piece& p : pieces) {
+    if (!is_whole(members, p)) parts.push_back(p);
+  }
+  for_ranges(scheduler, pieces.size(), grain_of(pieces),
+             [&](std::size_t begin, std::size_t end, std::size_t worker) {
+               for (std::size_t i = begin; i < end; ++i) {
+                 if (!is_whole(members, pieces[i])) continue;
+                 find_branches(graph, partition, seeds[pieces[i].region],
+                               nodes_of(members, pieces[i]), branch_of, of_worker[worker], sums_at);
+               }
+             });
+  find_branches_of_parts(scheduler, graph, seeds, partition, members, parts, branch_of, sums_at);
 }
 
 void find_branches_below(const Graph& graph, const Partition& partition, NodeId seed,

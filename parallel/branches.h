@@ -44,7 +44,12 @@ void add_to_branches(const Graph& graph, const Partition& partition, std::span<c
 void add_up_branches(const Graph& graph, const Partition& partition, NodeId seed,
                      const BranchOf& branch_of, std::span<BranchSum> sums, SubtreeSums& sums_at);
 
-/// All of that for the regions that `pieces` make up.
+/// All of that for a region of `nodes`; `sums` is room for work.
+void find_branches(const Graph& graph, const Partition& partition, NodeId seed,
+                   std::span<const NodeId> nodes, BranchOf& branch_of, std::vector<BranchSum>& sums,
+                   SubtreeSums& sums_at);
+
+/// All of that for the regions that `pieces` make up, those of a region in a row.
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                    const Partition& partition, const Members& members,
                    std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at);

@@ -126,10 +126,8 @@ void DeltaStepping::relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, 
 template <class OnLowered>
 void DeltaStepping::examine_piece(const Members& members, const Piece& piece,
                                   std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered) {
-  for (NodeId m = piece.begin; m < piece.end; ++m) {
-    examine(members.node[m], keys, mine, on_lowered);
-  }
-  if (piece.end - piece.begin < members.of(piece.region).size()) return;
+  for (const NodeId v : nodes_of(members, piece)) examine(v, keys, mine, on_lowered);
+  if (!is_whole(members, piece)) return;
   for (std::size_t bucket = 0; bucket < mine.at.size(); ++bucket) {
     relax_alone(bucket, keys, mine, no_id, on_lowered);
   }

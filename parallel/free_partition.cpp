@@ -145,8 +145,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
   const std::vector<Piece> pieces = cut_into_pieces(members_, moved);
   for_items(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     const Shift& shift = shift_of[place[pieces[i].region]];
-    for (NodeId m = pieces[i].begin; m < pieces[i].end; ++m) {
-      const NodeId v = members_.node[m];
+    for (const NodeId v : nodes_of(members_, pieces[i])) {
       const bool nearer = branch_of_[v] < shift.below.size() && shift.below[branch_of_[v]] != 0;
       Key& key = partition_.key[v];
       key = nearer ? key - make_key(shift.way, 0) : along(key, shift.way);

@@ -52,6 +52,14 @@ void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t r
   });
 }
 
+std::span<const NodeId> nodes_of(const Members& members, const Piece& piece) {
+  return {members.node.data() + piece.begin, members.node.data() + piece.end};
+}
+
+bool is_whole(const Members& members, const Piece& piece) {
+  return piece.end - piece.begin == members.of(piece.region).size();
+}
+
 std::size_t grain_of(std::span<const Piece> pieces) {
   constexpr std::size_t nodes_a_task = 2048;
   std::size_t nodes = 1;

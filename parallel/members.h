@@ -30,6 +30,11 @@ struct Piece {
 void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
                   Members& members);
 
+std::span<const NodeId> nodes_of(const Members& members, const Piece& piece);
+
+/// Whether the piece is all of its region.
+bool is_whole(const Members& members, const Piece& piece);
+
 /// How many of them make a task worth giving to another thread.
 std::size_t grain_of(std::span<const Piece> pieces);
 

@@ -113,14 +113,12 @@ class ParallelEngine final : public Engine {
     return scheduler_.threads() == 1 ? 0 : count;
   }
 
-  // Moves `seed` to where it rests and returns in how many moves. With all threads if `shared`.
+  // Moves `seed` to where it rests and returns in how many moves.
   std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
                               RegionSolver& solver) {
     LocalRegion& local = solver.local();
     copy_region(graph_, free_.partition().key, free_.members().of(r), local_of_, local);
-    const Score score = free_.totals().score[r];
-    const auto [rest, moves] = shared != nullptr ? solver.solve(*shared, seed, score, extended)
-                                                 : solver.solve(seed, score, extended);
+    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended, shared);
     if (rest != seed) {
       for (NodeId v = 0; v < local.size(); ++v) {
         store_key(free_.keys()[local.node[v]], make_key(distance_of(local.partition.key[v]), r));

@@ -6,31 +6,13 @@
 
 #include "core/forest.h"
 #include "core/stopwatch.h"
-#include "parallel/primitives.h"
 
 namespace geolloyd {
-namespace {
 
-constexpr std::size_t range_size = 4096;  // nodes of a large region that one thread takes at a time
-
-}  // namespace
-
-RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
-  return walk(seed, score, extended);
-}
-
-RegionSolver::Outcome RegionSolver::solve(Scheduler& scheduler, NodeId seed, Score score,
-                                          bool extended) {
-  scheduler_ = &scheduler;
-  shared_ = std::make_unique<SharedSearch>(scheduler, local_.graph);
-  const Outcome outcome = walk(seed, score, extended);
-  shared_.reset();
-  scheduler_ = &alone_;
-  return outcome;
-}
-
-RegionSolver::Outcome RegionSolver::walk(NodeId seed, Score score, bool extended) {
+RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended,
+                                          Scheduler* shared) {
   extended_ = extended;
+  shared_ = shared != nullptr ? std::make_unique<SharedSearch>(*shared, local_.graph) : nullptr;
   const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
   auto at = static_cast<NodeId>(place - local_.node.begin());
   begin(at, score);
@@ -93,40 +75,23 @@ void RegionSolver::move_keys_to(NodeId node) {
   }
 }
 
-// With the parents, which tell the branches.
-void RegionSolver::sum_branches() {
-  const Graph& graph = local_.graph;
-  Partition& partition = local_.partition;
-  const auto for_nodes = [&](auto&& body) {
-    for_ranges(*scheduler_, local_.size(), range_size,
-               [&](std::size_t begin, std::size_t end, std::size_t) {
-                 body(std::span<const NodeId>(all_).subspan(begin, end - begin),
-                      begin / range_size);
-               });
-  };
-  const std::size_t ranges = (local_.size() + range_size - 1) / range_size;
-  const std::size_t arcs = graph.neighbours(stand_).size();
-  branch_sums_.assign(ranges * arcs, {});
+void RegionSolver::find_sums() {
+  if (shared_) {
+    const Timed timed(seconds_.subtree_sums);
+    shared_->find_sums(stand_, local_.partition, branch_of_, sums_);
+    return;
+  }
+  const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
   {
     const Timed timed(seconds_.locked_search);
-    for_nodes([&](std::span<const NodeId> nodes, std::size_t) {
-      derive_parents(graph, partition.key, nodes, partition.parent);
-      forget_branches(nodes, branch_of_);
-    });
+    derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
   }
   const Timed timed(seconds_.subtree_sums);
-  mark_branches(graph, partition.key, stand_, branch_of_);
-  for_nodes([&](std::span<const NodeId> nodes, std::size_t range) {
-    add_to_branches(graph, partition, nodes, branch_of_,
-                    std::span(branch_sums_).subspan(range * arcs, arcs));
-  });
-  for (std::size_t i = arcs; i < branch_sums_.size(); ++i)
-    branch_sums_[i % arcs] += branch_sums_[i];
-  add_up_branches(graph, partition, stand_, branch_of_, std::span(branch_sums_).first(arcs), sums_);
+  find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
 }
 
 void RegionSolver::weigh_neighbours() {
-  sum_branches();
+  find_sums();
   const Timed timed(seconds_.movement);
   const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
   promises_.clear();

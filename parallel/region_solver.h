@@ -40,9 +40,8 @@ class RegionSolver {
 
   /// Of the region copied into local(), from `seed` and its keys and score. Leaves there the keys
   /// of where the seed came to rest; if it may not go on till then, seed and keys are anywhere.
-  /// Works alone, or with all threads of `scheduler`.
-  Outcome solve(NodeId seed, Score score, bool extended);
-  Outcome solve(Scheduler& scheduler, NodeId seed, Score score, bool extended);
+  /// With all threads of `shared`, or alone where that is null.
+  Outcome solve(NodeId seed, Score score, bool extended, Scheduler* shared);
 
   LocalRegion& local() { return local_; }
   /// Time spent in here since this was last asked.
@@ -55,11 +54,10 @@ class RegionSolver {
     NodeId node;
   };
 
-  Outcome walk(NodeId seed, Score score, bool extended);
   void begin(NodeId seed, Score score);
   void stand_at(NodeId node);
   void move_keys_to(NodeId node);
-  void sum_branches();
+  void find_sums();
   void weigh_neighbours();
   NodeId best_promise() const;
   Score score_of(NodeId node);
@@ -70,8 +68,6 @@ class RegionSolver {
   void offset_lane(std::size_t lane);
 
   const std::function<bool()>& goes_on_;
-  Scheduler alone_{1};
-  Scheduler* scheduler_ = &alone_;
   bool extended_ = true;
   LocalRegion local_;
 

@@ -14,8 +14,7 @@ void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const M
   for_items(scheduler, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     Score piece_score = 0;
     std::uint64_t piece_sum = 0;
-    for (NodeId m = pieces[i].begin; m < pieces[i].end; ++m) {
-      const NodeId v = members.node[m];
+    for (const NodeId v : nodes_of(members, pieces[i])) {
       const Key key = partition.key[v];
       const NodeId parent = derive_parent(graph, partition.key, v);
       partition.parent[v] = parent;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/forest.h"
 #include "parallel/primitives.h"
 
 namespace geolloyd {
@@ -43,6 +44,14 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
   keys_[source] = make_key(0, 0);
   std::vector<std::uint8_t> is_changed(1);
   delta_stepping_.repair(members_, pieces_, keys_, is_changed);
+}
+
+void SharedSearch::find_sums(NodeId stand, Partition& partition, BranchOf& branch_of,
+                             SubtreeSums& sums) {
+  for_items(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
+    derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]), partition.parent);
+  });
+  find_branches(scheduler_, graph_, {&stand, 1}, partition, members_, pieces_, branch_of, sums);
 }
 
 Score SharedSearch::score() const {

@@ -22,6 +22,9 @@ class SharedSearch {
   /// Distances from `source`, given those from `stand` and its branches (branches.h).
   void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
 
+  /// Parents around `stand`, its branches, and the subtree sums at its neighbours.
+  void find_sums(NodeId stand, Partition& partition, BranchOf& branch_of, SubtreeSums& sums);
+
   // Of the last run:
   [[nodiscard]] NodeId source() const { return source_; }
   [[nodiscard]] Score score() const;

@@ -143,11 +143,8 @@ struct StandBranches {
         sums{std::vector<std::uint64_t>(graph.node_count()),
              std::vector<std::uint64_t>(graph.node_count())} {
     const auto nodes = all_nodes(graph);
-    std::vector<BranchSum> of_branch(graph.neighbours(stand).size());
-    forget_branches(nodes, branch_of);
-    mark_branches(graph, partition.key, stand, branch_of);
-    add_to_branches(graph, partition, nodes, branch_of, of_branch);
-    add_up_branches(graph, partition, stand, branch_of, of_branch, sums);
+    std::vector<BranchSum> room;
+    find_branches(graph, partition, stand, nodes, branch_of, room, sums);
   }
 };
 
