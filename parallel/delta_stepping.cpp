@@ -34,7 +34,15 @@ DeltaStepping::DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint
   if (delta_ == 0) delta_ = std::max(mean_length(scheduler, graph), least);
 }
 
+// They are empty after a search, unless an exception ended it.
+void DeltaStepping::clear_buckets() {
+  for (Buckets& b : buckets_) {
+    for (std::vector<NodeId>& bucket : b.at) bucket.clear();
+  }
+}
+
 void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys) {
+  clear_buckets();
   keys.assign(graph_.node_count(), unreached);
   for (RegionId r = 0; r < seeds.size(); ++r) {
     keys[seeds[r]] = make_key(0, r);
@@ -45,6 +53,7 @@ void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys
 
 void DeltaStepping::repair(const Members& members, std::span<const Piece> suspects,
                            std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
+  clear_buckets();
   const auto note_change = [&](Buckets&, NodeId, Key before, Key after) {
     if (before != unreached) set(is_changed[region_of(before)]);
     set(is_changed[region_of(after)]);

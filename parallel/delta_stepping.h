@@ -49,6 +49,7 @@ class DeltaStepping {
 
   [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
 
+  void clear_buckets();
   template <class OnLowered>
   void settle(std::vector<Key>& keys, OnLowered&& on_lowered);
   template <class OnLowered>

@@ -36,17 +36,19 @@ FreePartition::FreePartition(Scheduler& scheduler, const Graph& graph, Frontier 
 void FreePartition::update(std::span<const NodeId> seeds) {
   {
     const Timed timed(seconds_.free_search);
-    if (can_repair(seeds)) {
+    const bool repairable = can_repair(seeds);
+    has_partition_ = false;  // until it has, whatever is thrown
+    if (repairable) {
       search_from_last(seeds);
     } else {
       search_from_scratch(seeds);
     }
     seeds_.assign(seeds.begin(), seeds.end());
-    has_partition_ = true;
     find_members(scheduler_, partition_.key, seeds.size(), members_);
   }
   const Timed timed(seconds_.scoring);
   derive_changed();
+  has_partition_ = true;
 }
 
 std::vector<RegionId> FreePartition::update_sums() {
@@ -71,6 +73,7 @@ void FreePartition::moved_to(std::span<const NodeId> seeds) {
     is_changed_[r] = 1;
     has_sums_[r] = 0;
   }
+  has_partition_ = true;
 }
 
 // Seeds that moved within their regions leave upper bounds to start from.

@@ -39,12 +39,12 @@ class FreePartition {
   /// Sum over all nodes (fingerprint.h).
   [[nodiscard]] std::uint64_t digest_of_nodes() const;
 
-  /// For the next update() to start from: somebody has moved the seeds to `seeds`, each within its
-  /// region, and set the keys of the region to the distances within it from there.
-  void moved_to(std::span<const NodeId> seeds);
-  [[nodiscard]] std::vector<Key>& keys() { return partition_.key; }
-  /// The same, but the keys are not to be trusted.
+  /// For somebody to move seeds within their regions, and to set the keys of these regions to the
+  /// distances within them from there: first forget(), so that the next update() begins from
+  /// scratch if that comes to no end, then, when it has, moved_to(), so that it need not.
   void forget() { has_partition_ = false; }
+  [[nodiscard]] std::vector<Key>& keys() { return partition_.key; }
+  void moved_to(std::span<const NodeId> seeds);
 
  private:
   using Flags = std::vector<std::uint8_t>;  // per region

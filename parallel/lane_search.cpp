@@ -159,7 +159,7 @@ std::size_t nodes_a_block(const Work& w) {
 void LaneSearch::run(const Graph& graph, std::span<const NodeId> sources, const Bounds& bounds,
                      std::span<const NodeId> order) {
   const std::size_t nodes = graph.node_count();
-  if (at_.size() < nodes) {
+  if (is_queued_.size() < nodes) {  // the last to grow
     at_.resize(nodes);
     queue_.resize(nodes + 1);
     is_queued_.resize(nodes, 0);

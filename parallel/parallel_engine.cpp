@@ -53,6 +53,7 @@ class ParallelEngine final : public Engine {
   std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
                                    const KeepGoing& keep_going) override {
     const Stopwatch watch;
+    free_.forget();  // until all regions are settled
     const std::vector<RegionId> active = active_regions(options);
     std::vector<std::uint32_t> moves(seeds.size(), 0);
     std::atomic<bool> stopped = false;
@@ -72,11 +73,7 @@ class ParallelEngine final : public Engine {
                [&](std::size_t i, std::size_t, std::size_t worker) {
                  settle(active[large + i], nullptr, *solvers_[worker]);
                });
-    if (stopped) {
-      free_.forget();
-    } else {
-      free_.moved_to(seeds);
-    }
+    if (!stopped) free_.moved_to(seeds);
     share_out(watch.seconds());
     return microsteps(moves, options.microstep_skip);
   }
@@ -131,7 +128,8 @@ class ParallelEngine final : public Engine {
   // What the definition's microsteps would have been, were they made one by one.
   [[nodiscard]] std::vector<Microstep> microsteps(std::span<const std::uint32_t> moves,
                                                   bool skip) const {
-    const std::uint32_t most = *std::max_element(moves.begin(), moves.end());
+    std::uint32_t most = 0;
+    for (const std::uint32_t m : moves) most = std::max(most, m);
     std::vector<Microstep> result(most + 1);
     for (RegionId r = 0; r < moves.size(); ++r) {
       for (std::uint32_t i = 0; i < moves[r]; ++i) ++result[i].seeds_moved;

@@ -36,7 +36,7 @@ void RegionSolver::begin(NodeId seed, Score score) {
   score_.assign(nodes, never_scored);
   ahead_.assign(nodes, never_scored);
   score_[seed] = score;
-  if (all_.size() < nodes) {
+  if (order_.size() < nodes) {  // the last to grow
     all_.resize(nodes);
     std::iota(all_.begin(), all_.end(), NodeId{0});
     branch_of_.resize(nodes);
