@@ -62,7 +62,7 @@ class Engine {
                                            const MacrostepOptions& options,
                                            const KeepGoing& keep_going) = 0;
 
-  /// Result of the last partition(); a macrostep spoils it.
+  /// Result of the last partition(); spoilt by a macrostep that leaves a seed elsewhere.
   [[nodiscard]] virtual const Partition& current() const = 0;
   /// Time spent so far; `other` is the caller's to fill.
   [[nodiscard]] virtual const KernelSeconds& seconds() const = 0;

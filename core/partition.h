@@ -26,6 +26,13 @@ constexpr RegionId region_of(Key key) {
   return static_cast<RegionId>(key);
 }
 
+/// The same, but no farther than any distance is (graph.h), so that there is room for one more arc.
+constexpr Key bounded_along(Key key, std::uint32_t length) {
+  constexpr std::uint32_t farthest = std::uint32_t{1} << 31;
+  const std::uint64_t distance = std::uint64_t{distance_of(key)} + length;
+  return distance < farthest ? along(key, length) : make_key(farthest, region_of(key));
+}
+
 /// No path is so long: distances stay below 2^30, or 2^31 in locked regions (graph.h).
 inline constexpr std::uint32_t unreached_distance = std::numeric_limits<std::uint32_t>::max();
 /// Of a node that no seed can reach.

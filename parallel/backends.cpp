@@ -49,10 +49,14 @@ void run_on_tbb(TbbPool& pool, std::size_t workers, Enter enter, void* context) 
   });
 }
 
-// Always with all threads: a team that changes its size is made anew.
+// Always with all threads: a team that changes its size is made anew. The caller is thread 0.
 void run_on_openmp(std::size_t threads, std::size_t workers, Enter enter, void* context) {
-#pragma omp parallel for num_threads(static_cast <int>(threads)) schedule(dynamic, 1)
-  for (std::size_t i = 0; i < workers; ++i) enter(context, i);
+#pragma omp parallel num_threads(static_cast <int>(threads))
+  {
+    if (omp_get_thread_num() == 0) enter(context, 0);
+#pragma omp for schedule(dynamic, 1) nowait
+    for (std::size_t i = 1; i < workers; ++i) enter(context, i);
+  }
 }
 
 }  // namespace geolloyd

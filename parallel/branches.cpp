@@ -97,11 +97,30 @@ void find_branches(const Graph& graph, const Partition& partition, NodeId seed,
 
 namespace {
 
+// Consecutive parts of a region in one, until it has as many nodes as the seed has arcs: so sums
+// never take more memory than nodes, even around a seed with millions of neighbours.
+std::vector<Piece> join_parts(const Graph& graph, std::span<const NodeId> seeds,
+                              std::span<const Piece> parts) {
+  std::vector<Piece> joined;
+  for (const Piece& p : parts) {
+    const bool extends =
+        !joined.empty() && joined.back().region == p.region &&
+        joined.back().end - joined.back().begin < graph.neighbours(seeds[p.region]).size();
+    if (extends) {
+      joined.back().end = p.end;
+    } else {
+      joined.push_back(p);
+    }
+  }
+  return joined;
+}
+
 // Several threads to a region: each step is done for all before the next begins.
 void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                             const Partition& partition, const Members& members,
-                            std::span<const Piece> parts, BranchOf& branch_of,
+                            std::span<const Piece> pieces, BranchOf& branch_of,
                             SubtreeSums& sums_at) {
+  const std::vector<Piece> parts = join_parts(graph, seeds, pieces);
   const auto is_first = [&](std::size_t i) {
     return i == 0 || parts[i].region != parts[i - 1].region;
   };
@@ -147,19 +166,24 @@ void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const Nod
   find_branches_of_parts(scheduler, graph, seeds, partition, members, parts, branch_of, sums_at);
 }
 
+// Answers are kept on the way up: of many branches one above the other each is climbed once.
 void find_branches_below(const Graph& graph, const Partition& partition, NodeId seed,
                          const BranchOf& branch_of, NodeId top, std::vector<std::uint8_t>& below) {
+  constexpr std::uint8_t open = 2;
   const std::span<const NodeId> neighbours = graph.neighbours(seed);
-  below.assign(neighbours.size(), 0);
+  const auto above = [&](std::uint32_t b) {
+    return branch_above(partition, seed, neighbours[b], branch_of);
+  };
+  below.assign(neighbours.size(), open);
   for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
-    if (!same_region(partition.key, seed, neighbours[i])) continue;
-    NodeId w = neighbours[i];
-    while (w != top) {
-      const std::uint32_t above = branch_above(partition, seed, w, branch_of);
-      if (above == no_branch) break;
-      w = neighbours[above];
-    }
-    below[i] = w == top ? 1 : 0;
+    if (!same_region(partition.key, seed, neighbours[i])) below[i] = 0;
+    if (neighbours[i] == top) below[i] = 1;
+  }
+  for (std::uint32_t i = 0; i < neighbours.size(); ++i) {
+    std::uint32_t known = i;
+    while (known != no_branch && below[known] == open) known = above(known);
+    const std::uint8_t answer = known != no_branch ? below[known] : 0;
+    for (std::uint32_t b = i; b != known; b = above(b)) below[b] = answer;
   }
 }
 

@@ -34,26 +34,31 @@ DeltaStepping::DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint
   if (delta_ == 0) delta_ = std::max(mean_length(scheduler, graph), least);
 }
 
-// They are empty after a search, unless an exception ended it.
-void DeltaStepping::clear_buckets() {
-  for (Buckets& b : buckets_) {
-    for (std::vector<NodeId>& bucket : b.at) bucket.clear();
-  }
+void DeltaStepping::Buckets::clear() {
+  for (std::size_t b = first; b < end; ++b) at[b].clear();
+  first = no_id;
+  end = 0;
+  lowered.clear();
+}
+
+// An exception may have left something in them.
+void DeltaStepping::begin() {
+  for (Buckets& b : buckets_) b.clear();
 }
 
 void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys) {
-  clear_buckets();
+  begin();
   keys.assign(graph_.node_count(), unreached);
   for (RegionId r = 0; r < seeds.size(); ++r) {
     keys[seeds[r]] = make_key(0, r);
-    buckets_.front().push(0, seeds[r]);
+    buckets_.front().push(0, {keys[seeds[r]], seeds[r]});
   }
   settle(keys, [](Buckets&, NodeId, Key, Key) {});
 }
 
 void DeltaStepping::repair(const Members& members, std::span<const Piece> suspects,
                            std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
-  clear_buckets();
+  begin();
   const auto note_change = [&](Buckets&, NodeId, Key before, Key after) {
     if (before != unreached) set(is_changed[region_of(before)]);
     set(is_changed[region_of(after)]);
@@ -72,11 +77,12 @@ void DeltaStepping::add_seed(NodeId seed, RegionId region, std::vector<Key>& key
                              std::vector<NodeId>& nearer) {
   constexpr std::size_t few = 1 << 14;
   const auto note = [](Buckets& mine, NodeId v, Key, Key) { mine.lowered.push_back(v); };
+  begin();
   Buckets& mine = buckets_.front();
   keys[seed] = make_key(0, region);
   mine.lowered.push_back(seed);
-  mine.push(0, seed);
-  for (std::size_t b = 0; b < mine.at.size() && mine.lowered.size() < few; ++b) {
+  mine.push(0, {keys[seed], seed});
+  for (std::size_t b = 0; b < mine.end && mine.lowered.size() < few; ++b) {
     relax_alone(b, keys, mine, few, note);
   }
   settle(keys, note);
@@ -96,7 +102,7 @@ void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
                [&](std::size_t begin, std::size_t end, std::size_t worker) {
                  Buckets& mine = buckets_[worker];
                  for (std::size_t i = begin; i < end; ++i) {
-                   relax(frontier_[i], bucket, keys, mine, on_lowered);
+                   relax(frontier_[i], keys, mine, on_lowered);
                  }
                  relax_alone(bucket, keys, mine, few, on_lowered);
                });
@@ -107,26 +113,25 @@ void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
 template <class OnLowered>
 void DeltaStepping::relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
                                 std::size_t few, OnLowered&& on_lowered) {
-  while (bucket < mine.at.size() && !mine.at[bucket].empty() && mine.at[bucket].size() < few) {
+  while (bucket < mine.end && !mine.at[bucket].empty() && mine.at[bucket].size() < few) {
     mine.again.clear();
     mine.again.swap(mine.at[bucket]);
-    for (const NodeId v : mine.again) relax(v, bucket, keys, mine, on_lowered);
+    for (const Entry& entry : mine.again) relax(entry, keys, mine, on_lowered);
   }
 }
 
-// An entry whose node has come to lie in an earlier bucket is out of date: it was relaxed there.
 template <class OnLowered>
-void DeltaStepping::relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
+void DeltaStepping::relax(const Entry& entry, std::vector<Key>& keys, Buckets& mine,
                           OnLowered&& on_lowered) {
-  const Key key = load_key(keys[v]);
-  if (bucket_of(key) < bucket) return;
+  const auto [key, v] = entry;
+  if (load_key(keys[v]) != key) return;
   for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
     const NodeId u = graph_.target[a];
     const Key offered = along(key, graph_.length[a]);
     const Key before = lower_key(keys[u], offered);
     if (offered >= before) continue;
     on_lowered(mine, u, before, offered);
-    mine.push(bucket_of(offered), u);
+    mine.push(bucket_of(offered), {offered, u});
   }
 }
 
@@ -137,9 +142,11 @@ void DeltaStepping::examine_piece(const Members& members, const Piece& piece,
                                   std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered) {
   for (const NodeId v : nodes_of(members, piece)) examine(v, keys, mine, on_lowered);
   if (!is_whole(members, piece)) return;
-  for (std::size_t bucket = 0; bucket < mine.at.size(); ++bucket) {
+  for (std::size_t bucket = mine.first; bucket < mine.end; ++bucket) {
     relax_alone(bucket, keys, mine, no_id, on_lowered);
   }
+  mine.first = no_id;
+  mine.end = 0;
 }
 
 // Offers to and from a node that may be lowered, or may lower others.
@@ -157,26 +164,31 @@ void DeltaStepping::examine(NodeId v, std::vector<Key>& keys, Buckets& mine,
     const Key before = lower_key(keys[u], offered);
     if (offered >= before) continue;
     on_lowered(mine, u, before, offered);
-    mine.push(bucket_of(offered), u);
+    mine.push(bucket_of(offered), {offered, u});
   }
   if (lowest >= own) return;
   const Key before = lower_key(keys[v], lowest);
   if (lowest >= before) return;
   on_lowered(mine, v, before, lowest);
-  mine.push(bucket_of(lowest), v);
+  mine.push(bucket_of(lowest), {lowest, v});
 }
 
 // Moves the first bucket that is not empty, from this one on, to the frontier.
 std::size_t DeltaStepping::take_next_bucket(std::size_t bucket) {
   std::size_t next = no_id;
   for (const Buckets& b : buckets_) {
-    for (std::size_t i = bucket; i < std::min(b.at.size(), next); ++i) {
+    for (std::size_t i = std::max(bucket, b.first); i < std::min(b.end, next); ++i) {
       if (!b.at[i].empty()) next = i;
     }
   }
   frontier_.clear();
   for (Buckets& b : buckets_) {
-    if (next >= b.at.size()) continue;
+    if (next >= b.end) {  // all are empty
+      b.first = no_id;
+      b.end = 0;
+      continue;
+    }
+    b.first = next;
     frontier_.insert(frontier_.end(), b.at[next].begin(), b.at[next].end());
     b.at[next].clear();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace geolloyd {
 
-/// Finds partitions, regions free, by delta-stepping (Meyer, Sanders 2003): nodes within `delta`
+/// Finds partitions by delta-stepping (Meyer, Sanders 2003): nodes within `delta`
 /// ticks of distance are relaxed together, each thread collecting what it lowers in buckets of its
 /// own, and going on by itself while a bucket it refills is small (bucket fusion: Zhang et al., CGO
 /// 2020; GAP benchmark suite). Keys are lowered by atomic minimum; there is only one state where no
@@ -24,8 +25,9 @@ class DeltaStepping {
   /// From scratch: overwrites `keys`, one per node, with what search_free (dijkstra.h) gives.
   void search(std::span<const NodeId> seeds, std::vector<Key>& keys);
 
-  /// From `keys` that are upper bounds: each the length of some way from the seed of the region it
-  /// names, 0 at seeds, and lower than they are by no arc but those at nodes of the `suspects`.
+  /// From `keys` that are upper bounds: 0 at seeds, not below what they come down to, and to be
+  /// lowered by no arc but those at nodes of the `suspects`. Regions may also be locked ones, of a
+  /// graph that has no arcs between them.
   /// Sets `is_changed` of each region that a node of it changed in, left or joined.
   void repair(const Members& members, std::span<const Piece> suspects, std::vector<Key>& keys,
               std::vector<std::uint8_t>& is_changed);
@@ -35,26 +37,36 @@ class DeltaStepping {
   void add_seed(NodeId seed, RegionId region, std::vector<Key>& keys, std::vector<NodeId>& nearer);
 
  private:
+  // A node and the key it was lowered to: out of date once it has been lowered again.
+  struct Entry {
+    Key key;
+    NodeId node;
+  };
+
   // What one thread has lowered, by distance / delta. On a line of its own in the cache.
   struct alignas(64) Buckets {
-    std::vector<std::vector<NodeId>> at;
-    std::vector<NodeId> again;    // being relaxed alone
+    std::vector<std::vector<Entry>> at;
+    std::size_t first = no_id;    // of those in use
+    std::size_t end = 0;          // of those in use
+    std::vector<Entry> again;     // being relaxed alone
     std::vector<NodeId> lowered;  // as far as somebody wants to know
 
-    void push(std::size_t bucket, NodeId v) {
+    void push(std::size_t bucket, const Entry& entry) {
       if (at.size() <= bucket) at.resize(bucket + 1);
-      at[bucket].push_back(v);
+      at[bucket].push_back(entry);
+      first = std::min(first, bucket);
+      end = std::max(end, bucket + 1);
     }
+    void clear();
   };
 
   [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
 
-  void clear_buckets();
+  void begin();
   template <class OnLowered>
   void settle(std::vector<Key>& keys, OnLowered&& on_lowered);
   template <class OnLowered>
-  void relax(NodeId v, std::size_t bucket, std::vector<Key>& keys, Buckets& mine,
-             OnLowered&& on_lowered);
+  void relax(const Entry& entry, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   template <class OnLowered>
   void relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine, std::size_t few,
                    OnLowered&& on_lowered);
@@ -69,7 +81,7 @@ class DeltaStepping {
   const Graph& graph_;
   std::uint32_t delta_;
   std::vector<Buckets> buckets_;  // per thread
-  std::vector<NodeId> frontier_;
+  std::vector<Entry> frontier_;
 };
 
 }  // namespace geolloyd

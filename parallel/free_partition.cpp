@@ -151,7 +151,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
     for (const NodeId v : nodes_of(members_, pieces[i])) {
       const bool nearer = branch_of_[v] < shift.below.size() && shift.below[branch_of_[v]] != 0;
       Key& key = partition_.key[v];
-      key = nearer ? key - make_key(shift.way, 0) : along(key, shift.way);
+      key = nearer ? key - make_key(shift.way, 0) : bounded_along(key, shift.way);
     }
   });
   for (const RegionId r : moved) partition_.key[seeds[r]] = make_key(0, r);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/engine.h"
@@ -42,7 +43,8 @@ class FreePartition {
   /// For somebody to move seeds within their regions, and to set the keys of these regions to the
   /// distances within them from there: first forget(), so that the next update() begins from
   /// scratch if that comes to no end, then, when it has, moved_to(), so that it need not.
-  void forget() { has_partition_ = false; }
+  /// Returns whether the keys were to be trusted so far.
+  bool forget() { return std::exchange(has_partition_, false); }
   [[nodiscard]] std::vector<Key>& keys() { return partition_.key; }
   void moved_to(std::span<const NodeId> seeds);
 

@@ -5,7 +5,7 @@
 
 // The kernels are compiled twice, for processors with AVX2 and for all, and chosen between when
 // they run: a program built here runs everywhere.
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(GEOLLOYD_WITHOUT_AVX2)
 #define GEOLLOYD_HAS_AVX2 1
 #endif
 #define GEOLLOYD_INLINE inline __attribute__((always_inline))
@@ -30,6 +30,7 @@ struct Work {
 
 GEOLLOYD_INLINE bool differ(const Vector& a, const Vector& b) {
   using Quarters [[gnu::vector_size(sizeof(Vector))]] = std::uint64_t;
+  static_assert(sizeof(Quarters) == 4 * sizeof(std::uint64_t));
   const auto bits = (Quarters)(a ^ b);
   return ((bits[0] | bits[1]) | (bits[2] | bits[3])) != 0;
 }

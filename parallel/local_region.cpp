@@ -35,6 +35,8 @@ void copy_region(const Graph& graph, const std::vector<Key>& keys, std::span<con
     }
   }
   local.graph.first_arc[nodes.size()] = next;
+  local.graph.target.resize(next);
+  local.graph.length.resize(next);
 }
 
 }  // namespace geolloyd

@@ -12,8 +12,8 @@ namespace {
 std::size_t choose_block_size(Scheduler& scheduler, std::size_t nodes, std::size_t regions) {
   constexpr std::size_t nodes_per_counter = 4;
   const std::size_t blocks =
-      std::clamp<std::size_t>(nodes / (nodes_per_counter * regions), 1, scheduler.threads());
-  return (nodes + blocks - 1) / blocks;
+      std::clamp<std::size_t>(nodes / (nodes_per_counter * regions + 1), 1, scheduler.threads());
+  return (nodes + blocks) / blocks;
 }
 
 }  // namespace

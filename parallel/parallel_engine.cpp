@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "core/fingerprint.h"
@@ -38,8 +39,8 @@ class ParallelEngine final : public Engine {
   }
 
   std::vector<NodeId> greedy_candidates(std::span<const NodeId> seeds, bool extended) override {
-    if (extended != extended_) free_.forget_sums();
-    extended_ = extended;
+    if (extended_ != extended) free_.forget_sums();
+    extended_.reset();  // until all candidates are there
     const std::vector<RegionId> changed = free_.update_sums();
     const Timed timed(seconds_.movement);
     const SeedMoveView view{graph_, free_.partition(), free_.sums(), extended};
@@ -47,13 +48,14 @@ class ParallelEngine final : public Engine {
     for_items(scheduler_, changed.size(), 64, [&](std::size_t i) {
       candidates_[changed[i]] = greedy_candidate(view, seeds[changed[i]]);
     });
+    extended_ = extended;
     return candidates_;
   }
 
   std::vector<Microstep> macrostep(std::vector<NodeId>& seeds, const MacrostepOptions& options,
                                    const KeepGoing& keep_going) override {
     const Stopwatch watch;
-    free_.forget();  // until all regions are settled
+    const bool trusted = free_.forget();  // until all regions are settled
     const std::vector<RegionId> active = active_regions(options);
     std::vector<std::uint32_t> moves(seeds.size(), 0);
     std::atomic<bool> stopped = false;
@@ -62,6 +64,7 @@ class ParallelEngine final : public Engine {
       if (std::this_thread::get_id() == caller && !keep_going(moving)) stopped = true;
       return !stopped.load(std::memory_order_relaxed);
     };
+    goes_on_();  // at least once
     const auto settle = [&](RegionId r, Scheduler* shared, RegionSolver& solver) {
       if (stopped) return;
       moves[r] = settle_region(r, seeds[r], options.extended, shared, solver);
@@ -73,7 +76,7 @@ class ParallelEngine final : public Engine {
                [&](std::size_t i, std::size_t, std::size_t worker) {
                  settle(active[large + i], nullptr, *solvers_[worker]);
                });
-    if (!stopped) free_.moved_to(seeds);
+    if (trusted && !stopped) free_.moved_to(seeds);
     share_out(watch.seconds());
     return microsteps(moves, options.microstep_skip);
   }
@@ -162,8 +165,8 @@ class ParallelEngine final : public Engine {
   const Graph& graph_;
   KernelSeconds seconds_;
   FreePartition free_;
-  bool extended_ = true;
   std::vector<NodeId> candidates_;  // per region; of the last update of the sums
+  std::optional<bool> extended_;    // their heuristic
   std::vector<NodeId> local_of_;    // per node, its number within its region
   std::function<bool()> goes_on_;   // of the macrostep
   std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread

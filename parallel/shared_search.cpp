@@ -39,7 +39,7 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
   for_items(scheduler_, keys_.size(), grain, [&](std::size_t v) {
     const bool nearer = branch_of[v] < below.size() && below[branch_of[v]] != 0;
     const Key key = partition.key[v];
-    keys_[v] = nearer ? key - make_key(distance, 0) : along(key, distance);
+    keys_[v] = nearer ? key - make_key(distance, 0) : bounded_along(key, distance);
   });
   keys_[source] = make_key(0, 0);
   std::vector<std::uint8_t> is_changed(1);

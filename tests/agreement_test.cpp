@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 
@@ -246,18 +247,124 @@ TEST(Agreement, OnSeedsThatJump) {
 TEST(Agreement, OfAnInterruptedRunThatGoesOn) {
   const Graph graph = grid_graph(40, 40);
   const std::vector<NodeId> seeds = {0, 1, 2, 3, 4, 5, 6, 7};
-  for (const auto& scheduler : schedulers()) {
-    for (const int calls : {1, 3, 10, 30, 45}) {
-      const auto engine = make_parallel_engine(*scheduler, graph);
+  for (const GreedyMode greedy : {GreedyMode::extended, GreedyMode::off}) {
+    RelaxationOptions options;
+    options.greedy = greedy;
+    for_all_teams(std::array{Frontier::automatic}, [&](Scheduler& scheduler, Frontier frontier) {
+      const auto engine = make_parallel_engine(scheduler, graph, frontier);
+      for (const int calls : {1, 2, 5, 20}) {
+        int left = calls;
+        const Relaxation part =
+            relax(graph, *engine, seeds, options, [&](const Progress&) { return --left > 0; });
+        if (left > 0) continue;  // other threads were too fast to be asked more often
+        ASSERT_EQ(part.end, End::interrupted);
+        for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
+        expect_same(relax_by_reference(graph, part.seeds, options),
+                    relax(graph, *engine, part.seeds, options));
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    });
+  }
+}
+
+// An interrupt in the middle of a macrostep leaves some seeds moved and the rest not.
+TEST(Agreement, AfterAMacrostepWasLeft) {
+  const Graph graph = grid_graph(40, 40);
+  const std::vector<NodeId> seeds = {0, 1, 2, 3, 4, 5, 6, 7};
+  const std::vector<std::uint8_t> keeps_seed(seeds.size(), 0);
+  const auto reference = make_reference_engine(graph);
+  for_all_teams(std::array{Frontier::automatic}, [&](Scheduler& scheduler, Frontier frontier) {
+    for (const int calls : {1, 3, 10}) {
+      const auto engine = make_parallel_engine(scheduler, graph, frontier);
+      std::vector<NodeId> moved = seeds;
+      engine->partition(moved);
       int left = calls;
-      const Relaxation part =
-          relax(graph, *engine, seeds, {}, [&](const Progress&) { return --left > 0; });
-      ASSERT_EQ(part.end, End::interrupted);
-      for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
-      expect_same(relax_by_reference(graph, part.seeds, {}), relax(graph, *engine, part.seeds, {}));
-      if (HasFatalFailure()) return;
+      engine->macrostep(moved, {keeps_seed, true, true}, [&](std::uint32_t) { return --left > 0; });
+      ASSERT_LT(left, calls);  // asked at least once
+      engine->partition(moved);
+      reference->partition(moved);
+      ASSERT_EQ(engine->current().key, reference->current().key);
+      ASSERT_EQ(engine->current().parent, reference->current().parent);
+    }
+  });
+}
+
+// Whoever is told of the progress may throw, and use the engine again.
+TEST(Agreement, AfterAnException) {
+  const Mesh mesh = icosphere(80000);  // one region is for all threads, others are not
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), {});
+  const std::vector<NodeId> seeds = {100, 130, 500, 40000};
+  RelaxationOptions options;
+  options.greedy = GreedyMode::off;
+  options.max_macrosteps = 2;
+  const Relaxation expected = relax_by_reference(made.graph, seeds, options);
+  for_all_teams(std::array{Frontier::automatic}, [&](Scheduler& scheduler, Frontier frontier) {
+    const auto engine = make_parallel_engine(scheduler, made.graph, frontier);
+    for (int calls : {1, 2, 40}) {
+      try {
+        relax(made.graph, *engine, seeds, options, [&](const Progress&) {
+          if (--calls <= 0) throw std::runtime_error("enough");
+          return true;
+        });
+      } catch (const std::runtime_error&) {
+      }
+    }
+    expect_same(expected, relax(made.graph, *engine, seeds, options));
+  });
+}
+
+// Locked distances reach 2^31, and the way back to where a seed was comes on top.
+TEST(Agreement, OnLongWaysAfterAMacrostep) {
+  for (std::uint64_t random_seed = 0; random_seed < 300; ++random_seed) {
+    SCOPED_TRACE(random_seed);
+    std::uint64_t n = 0;
+    const auto draw = [&](std::uint64_t bound) { return random_number(random_seed, n++, bound); };
+    const NodeId nodes = 4 + draw(6);
+    std::vector<Link> links;
+    for (NodeId v = 1; v < nodes; ++v) {
+      links.push_back({v, draw(v), draw(3) == 0 ? 1.0 + draw(9) : 1000.0 + draw(999)});
+    }
+    for (int i = 0; i < 4; ++i) links.push_back({draw(nodes), draw(nodes), 1e6});
+    const Graph graph = make_graph(links, std::vector<double>(nodes, 1.0));
+    const auto reference = make_reference_engine(graph);
+    const auto parallel = make_parallel_engine(*schedulers()[random_seed % 8], graph);
+    std::vector<NodeId> seeds = random_nodes(random_seed, nodes, 2);
+    const std::vector<std::uint8_t> keeps_seed(seeds.size(), 0);
+    const auto go_on = [](std::uint32_t) { return true; };
+    for (int turn = 0; turn < 4; ++turn) {
+      reference->partition(seeds);
+      parallel->partition(seeds);
+      ASSERT_EQ(reference->current().key, parallel->current().key);
+      std::vector<NodeId> others = seeds;
+      reference->macrostep(seeds, {keeps_seed, true, true}, go_on);
+      parallel->macrostep(others, {keeps_seed, true, true}, go_on);
+      ASSERT_EQ(seeds, others);
+      seeds = random_nodes(random_seed + 1000 + static_cast<std::uint64_t>(turn), nodes, 2);
     }
   }
+}
+
+TEST(Agreement, OnNoSeedsAndNoNodes) {
+  expect_agreement_everywhere(grid_graph(3, 3), {}, {});
+  expect_agreement_everywhere(make_graph({}, {}), {}, {});
+}
+
+// A node far from all others, so that nearly all buckets are empty; a hub whose neighbours hang
+// from one another; more of them than there are nodes to a piece.
+TEST(Agreement, OnFarNodesAndLargeHubs) {
+  std::vector<Link> links;
+  constexpr NodeId rim = 6000;
+  for (NodeId v = 1; v <= rim; ++v) {
+    links.push_back({0, v, 2.0 * v});
+    if (v > 1) links.push_back({v - 1, v, 1.0});
+  }
+  links.push_back({rim, rim + 1, 1e7});
+  const Graph graph = make_graph(links, std::vector<double>(rim + 2, 1.0));
+  RelaxationOptions options;
+  options.max_greedy_steps = 3;
+  options.max_macrosteps = 2;
+  expect_agreement_everywhere(graph, {0}, options, std::array{Frontier::regions});
+  expect_agreement_everywhere(graph, {3, 5000}, options, std::array{Frontier::regions});
 }
 
 // Threads that outnumber the cores meet in another order each time.

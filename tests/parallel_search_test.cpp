@@ -229,6 +229,22 @@ TEST(LaneSearch, ScoresAreExactAtTheLimits) {
   EXPECT_EQ(lanes.scores(graph)[0], score_from(graph, 0));
 }
 
+// From the other end of the longest ways to a source two arcs away: bounds beyond 32 bits.
+TEST(SharedSearch, KeepsToItsLimits) {
+  Graph graph;
+  constexpr std::uint32_t longest = (1U << 30) - 1;
+  graph.first_arc = {0, 1, 3, 4};
+  graph.target = {1, 0, 2, 1};
+  graph.length = {longest, longest, longest, longest};
+  graph.mass = {1, 1, 1};
+  const Partition partition = partition_by_dijkstra(graph, {0});
+  const StandBranches branches(graph, 0, partition);
+  Scheduler scheduler(2);
+  SharedSearch search(scheduler, graph);
+  search.run(partition, 0, branches.branch_of, 2);
+  EXPECT_EQ(search.score(), score_from(graph, 2));
+}
+
 TEST(SharedSearch, FindsDistancesAndScoresFromNodeToNode) {
   Scheduler scheduler(3);
   for_stands([&](const Graph& graph, NodeId stand, const Partition& partition) {

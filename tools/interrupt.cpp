@@ -37,7 +37,7 @@ void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = SA_RESTART;
-  // One handler at a time, so that two different signals cannot both be the first.
+  // Where two signals come at once to two threads, both may count as the first; no harm is done.
   sigaddset(&action.sa_mask, SIGINT);
   sigaddset(&action.sa_mask, SIGTERM);
   sigaction(SIGINT, &action, nullptr);

@@ -141,7 +141,7 @@ void add_relax_command(CLI::App& program) {
       ->capture_default_str();
   add_thread_options(*command, *arguments);
   command->footer(
-      "Ctrl-C ends the work after the current step and writes the best result so far.\n"
+      "Ctrl-C ends the work and writes the best result so far.\n"
       "To go on from there: --seeds-file DIR/seeds.csv");
   command->callback([arguments] { run_relax(*arguments); });
 }
