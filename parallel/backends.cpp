@@ -20,7 +20,7 @@ namespace {
 // wishes heeds the smallest. So there is one at a time, the largest so far.
 void allow_threads(std::size_t threads) {
   static std::mutex mutex;
-  static std::size_t allowed = static_cast<std::size_t>(tbb::info::default_concurrency());
+  static auto allowed = static_cast<std::size_t>(tbb::info::default_concurrency());
   static std::unique_ptr<tbb::global_control> limit;
   const std::lock_guard lock(mutex);
   if (threads <= allowed) return;

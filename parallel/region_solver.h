@@ -59,7 +59,7 @@ class RegionSolver {
   void move_keys_to(NodeId node);
   void find_sums();
   void weigh_neighbours();
-  NodeId best_promise() const;
+  [[nodiscard]] NodeId best_promise() const;
   Score score_of(NodeId node);
   void look_ahead(NodeId node);
   void search_shared(NodeId source);
