@@ -12,10 +12,10 @@
 
 namespace geolloyd {
 
-/// Finds partitions by delta-stepping (Meyer, Sanders 2003): nodes within `delta`
-/// ticks of distance are relaxed together, each thread collecting what it lowers in buckets of its
-/// own, and going on by itself while a bucket it refills is small (bucket fusion: Zhang et al., CGO
-/// 2020; GAP benchmark suite). Keys are lowered by atomic minimum; there is only one state where no
+/// Finds partitions by delta-stepping (Meyer, Sanders 2003): nodes within `delta` ticks of distance
+/// are relaxed together, each thread collecting what it lowers in buckets of its own, and going on
+/// by itself while a bucket it refills is small (bucket fusion: Zhang et al., CGO 2020; GAP
+/// benchmark suite). Keys are lowered by atomic minimum; there is only one state where no
 /// arc can lower any more, so no order of work can change it. Keeps its memory between searches.
 class DeltaStepping {
  public:

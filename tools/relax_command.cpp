@@ -104,7 +104,7 @@ void run_relax(const RelaxArguments& arguments) {
   run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
                                   run.relaxation.seeds, run.relaxation.region_score);
   run.labels = label_input_ids(run);
-  write_results(run);
+  write_results(run, scheduler);
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();
   run.peak_memory_bytes = peak_memory_bytes();

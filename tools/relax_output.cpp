@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "core/file_writer.h"
+#include "parallel/primitives.h"
 #include "tools/report.h"
 
 namespace geolloyd {
@@ -95,13 +96,17 @@ void prepare_output(const RelaxArguments& arguments) {
   check_target(arguments.picture, inputs);
 }
 
-void write_results(const RunRecord& run) {
+void write_results(const RunRecord& run, Scheduler& scheduler) {
   const std::span<const Label> labels = run.labels;
   const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
-  write_labelled_ply(run.arguments.output / "tessellation.ply", run.input.mesh,
-                     labels.first(vertices), labels.subspan(vertices));
-  write_file(run, "seeds.csv", write_seeds);
-  write_file(run, "regions.csv", write_regions);
+  run_each(
+      scheduler,
+      [&] {
+        write_labelled_ply(run.arguments.output / "tessellation.ply", run.input.mesh,
+                           labels.first(vertices), labels.subspan(vertices));
+      },
+      [&] { write_file(run, "regions.csv", write_regions); },
+      [&] { write_file(run, "seeds.csv", write_seeds); });
 }
 
 void write_report(const RunRecord& run) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "parallel/scheduler.h"
 #include "tools/run_record.h"
 
 namespace geolloyd {
@@ -13,7 +14,7 @@ void prepare_output(const RelaxArguments& arguments);
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id.
-void write_results(const RunRecord& run);
+void write_results(const RunRecord& run, Scheduler& scheduler);
 
 /// report.json (report.h), the last file to appear.
 void write_report(const RunRecord& run);
