@@ -38,6 +38,10 @@ inline constexpr std::uint32_t unreached_distance = std::numeric_limits<std::uin
 /// Of a node that no seed can reach.
 inline constexpr Key unreached = make_key(unreached_distance, no_id);
 
+inline bool same_region(const std::vector<Key>& keys, NodeId a, NodeId b) {
+  return region_of(keys[a]) == region_of(keys[b]);
+}
+
 /// The graph Voronoi diagram of some seeds, with its shortest-path forest (design: canonical
 /// definition). Regions free: each key is the smallest over all seeds. Regions locked: each node's
 /// region is given, and its distance is that from the region's own seed by way of the region.

@@ -3,10 +3,6 @@
 namespace geolloyd {
 namespace {
 
-bool same_region(const std::vector<Key>& keys, NodeId a, NodeId b) {
-  return region_of(keys[a]) == region_of(keys[b]);
-}
-
 Uint128 weight(const SubtreeSums& sums, NodeId v) {
   return Uint128{sums.cost[v]} * sums.mass[v];
 }

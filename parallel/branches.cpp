@@ -33,10 +33,6 @@ std::uint32_t branch_above(const Partition& partition, NodeId seed, NodeId w,
   return partition.parent[w] == seed ? no_branch : branch_of[partition.parent[w]];
 }
 
-bool same_region(const std::vector<Key>& keys, NodeId a, NodeId b) {
-  return region_of(keys[a]) == region_of(keys[b]);
-}
-
 }  // namespace
 
 void forget_branches(std::span<const NodeId> nodes, BranchOf& branch_of) {

@@ -54,9 +54,18 @@ void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const Nod
                    const Partition& partition, const Members& members,
                    std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at);
 
-/// Per arc of `seed`: not 0 where that branch lies in the subtree of `top`, a neighbour of `seed`
-/// in its region.
+/// Per arc of `seed`: not 0 where that branch lies in the subtree of `top`; all 0 where `top` is no
+/// neighbour of `seed`.
 void find_branches_below(const Graph& graph, const Partition& partition, NodeId seed,
                          const BranchOf& branch_of, NodeId top, std::vector<std::uint8_t>& below);
+
+/// A bound on a node's key once its seed has moved by `way` ticks: what lies in one of the branches
+/// `below` the new place (none, where that is not known) is nearer by as much, the rest is farther
+/// by that at most.
+inline Key bound_after_move(Key key, std::uint32_t branch, const std::vector<std::uint8_t>& below,
+                            std::uint32_t way) {
+  const bool nearer = branch < below.size() && below[branch] != 0;
+  return nearer ? key - make_key(way, 0) : bounded_along(key, way);
+}
 
 }  // namespace geolloyd

@@ -140,8 +140,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
     const RegionId r = moved[i];
     place[r] = static_cast<std::uint32_t>(i);
     shift_of[i].way = distance_of(partition_.key[seeds[r]]);
-    const std::span<const NodeId> neighbours = graph_.neighbours(seeds_[r]);
-    if (has_sums_[r] != 0 && std::binary_search(neighbours.begin(), neighbours.end(), seeds[r])) {
+    if (has_sums_[r] != 0) {
       find_branches_below(graph_, partition_, seeds_[r], branch_of_, seeds[r], shift_of[i].below);
     }
   });
@@ -149,9 +148,8 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
   for_items(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     const Shift& shift = shift_of[place[pieces[i].region]];
     for (const NodeId v : nodes_of(members_, pieces[i])) {
-      const bool nearer = branch_of_[v] < shift.below.size() && shift.below[branch_of_[v]] != 0;
       Key& key = partition_.key[v];
-      key = nearer ? key - make_key(shift.way, 0) : bounded_along(key, shift.way);
+      key = bound_after_move(key, branch_of_[v], shift.below, shift.way);
     }
   });
   for (const RegionId r : moved) partition_.key[seeds[r]] = make_key(0, r);

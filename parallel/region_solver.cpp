@@ -152,14 +152,10 @@ void RegionSolver::search_from_sources() {
 // farther by that at most. From any other node all may be farther. Idle lanes do as the first.
 void RegionSolver::offset_lane(std::size_t lane) {
   const NodeId source = sources_[lane < sources_.size() ? lane : 0];
-  const std::span<const NodeId> neighbours = local_.graph.neighbours(stand_);
   const std::uint32_t distance = distance_of(local_.partition.key[source]);
-  const bool is_neighbour = std::binary_search(neighbours.begin(), neighbours.end(), source);
-  if (is_neighbour) {
-    find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
-  }
-  for (std::size_t b = 0; b < neighbours.size(); ++b) {
-    offset_[b].d[lane] = is_neighbour && below_[b] != 0 ? 0 - distance : distance;
+  find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
+  for (std::size_t b = 0; b < below_.size(); ++b) {
+    offset_[b].d[lane] = below_[b] != 0 ? 0 - distance : distance;
   }
   offset_.back().d[lane] = distance;
 }

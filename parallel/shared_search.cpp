@@ -1,6 +1,5 @@
 #include "parallel/shared_search.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "core/forest.h"
@@ -25,21 +24,14 @@ SharedSearch::SharedSearch(Scheduler& scheduler, const Graph& graph)
   pieces_ = cut_into_pieces(members_, {&only, 1});
 }
 
-// What is in the subtree of a neighbour of the stand is nearer to it by its distance; the rest, and
-// all from any other source, is farther by that at most.
 void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
                        NodeId source) {
   source_ = source;
   const std::uint32_t distance = distance_of(partition.key[source]);
-  const std::span<const NodeId> neighbours = graph_.neighbours(stand);
   std::vector<std::uint8_t> below;
-  if (std::binary_search(neighbours.begin(), neighbours.end(), source)) {
-    find_branches_below(graph_, partition, stand, branch_of, source, below);
-  }
+  find_branches_below(graph_, partition, stand, branch_of, source, below);
   for_items(scheduler_, keys_.size(), grain, [&](std::size_t v) {
-    const bool nearer = branch_of[v] < below.size() && below[branch_of[v]] != 0;
-    const Key key = partition.key[v];
-    keys_[v] = nearer ? key - make_key(distance, 0) : bounded_along(key, distance);
+    keys_[v] = bound_after_move(partition.key[v], branch_of[v], below, distance);
   });
   keys_[source] = make_key(0, 0);
   std::vector<std::uint8_t> is_changed(1);

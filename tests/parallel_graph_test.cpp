@@ -78,7 +78,6 @@ std::vector<TangentSpace> swirl(const Mesh& mesh) {
 constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
                                   GraphKind::triangle_dense, GraphKind::mixed};
 
-// One scheduler at a time: several of oneTBB's would limit each other.
 template <class Body>
 void for_teams(Body&& body) {
   for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
