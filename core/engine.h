@@ -6,19 +6,10 @@
 #include <vector>
 
 #include "core/energy.h"
+#include "core/kernel_seconds.h"
 #include "core/partition.h"
 
 namespace geolloyd {
-
-/// Wall time by kernel, seconds.
-struct KernelSeconds {
-  double free_search = 0;    ///< keys and parents, regions free
-  double locked_search = 0;  ///< keys and parents, regions locked
-  double subtree_sums = 0;
-  double scoring = 0;
-  double movement = 0;
-  double other = 0;
-};
 
 /// One microstep of the precise phase, over all regions.
 struct Microstep {

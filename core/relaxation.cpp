@@ -12,14 +12,6 @@
 namespace geolloyd {
 namespace {
 
-KernelSeconds since(const KernelSeconds& now, const KernelSeconds& before, double elapsed) {
-  KernelSeconds d{now.free_search - before.free_search,   now.locked_search - before.locked_search,
-                  now.subtree_sums - before.subtree_sums, now.scoring - before.scoring,
-                  now.movement - before.movement,         0};
-  d.other = elapsed - d.free_search - d.locked_search - d.subtree_sums - d.scoring - d.movement;
-  return d;
-}
-
 class LloydLoop {
  public:
   LloydLoop(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
@@ -120,7 +112,7 @@ class LloydLoop {
       best_seeds_ = result_.seeds;
     }
     const bool goes_on = body(record);
-    record.seconds = since(engine_.seconds(), before, watch.seconds());
+    record.seconds = since(before, engine_.seconds(), watch.seconds());
     result_.steps.push_back(std::move(record));
     if (!goes_on) result_.end = End::interrupted;
     return goes_on;

@@ -44,9 +44,11 @@ void FreePartition::update(std::span<const NodeId> seeds) {
       search_from_scratch(seeds);
     }
     seeds_.assign(seeds.begin(), seeds.end());
+  }
+  {
+    const Timed timed(seconds_.gathering);
     find_members(scheduler_, partition_.key, seeds.size(), members_);
   }
-  const Timed timed(seconds_.scoring);
   derive_changed();
   has_partition_ = true;
 }
@@ -158,7 +160,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
 void FreePartition::derive_changed() {
   const std::vector<RegionId> changed = regions_where(is_changed_, true);
   derive_parents_and_totals(scheduler_, graph_, members_, cut_into_pieces(members_, changed),
-                            partition_, totals_);
+                            partition_, totals_, seconds_);
   for (const RegionId r : changed) has_sums_[r] = 0;
   is_changed_.assign(seeds_.size(), 0);
 }

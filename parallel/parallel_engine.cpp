@@ -8,7 +8,6 @@
 #include "core/fingerprint.h"
 #include "core/seed_move.h"
 #include "core/stopwatch.h"
-#include "parallel/atomic_key.h"
 #include "parallel/free_partition.h"
 #include "parallel/primitives.h"
 #include "parallel/region_solver.h"
@@ -77,7 +76,9 @@ class ParallelEngine final : public Engine {
                  settle(active[large + i], nullptr, *solvers_[worker]);
                });
     if (trusted && !stopped) free_.moved_to(seeds);
-    share_out(watch.seconds());
+    KernelSeconds of_threads;
+    for (const auto& solver : solvers_) of_threads += solver->take_seconds();
+    share_out(watch.seconds(), of_threads, seconds_);
     return microsteps(moves, options.microstep_skip);
   }
 
@@ -116,14 +117,9 @@ class ParallelEngine final : public Engine {
   // Moves `seed` to where it rests and returns in how many moves.
   std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
                               RegionSolver& solver) {
-    LocalRegion& local = solver.local();
-    copy_region(graph_, free_.partition().key, free_.members().of(r), local_of_, local);
+    solver.gather(graph_, free_.partition().key, free_.members().of(r), local_of_);
     const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended, shared);
-    if (rest != seed) {
-      for (NodeId v = 0; v < local.size(); ++v) {
-        store_key(free_.keys()[local.node[v]], make_key(distance_of(local.partition.key[v]), r));
-      }
-    }
+    if (rest != seed) solver.scatter_keys(r, free_.keys());
     seed = rest;
     return moves;
   }
@@ -141,24 +137,6 @@ class ParallelEngine final : public Engine {
       }
     }
     return result;
-  }
-
-  // The kernels of a macrostep run side by side: its time goes to them by their shares.
-  void share_out(double elapsed) {
-    KernelSeconds sum;
-    for (const auto& solver : solvers_) {
-      const KernelSeconds s = solver->take_seconds();
-      sum.locked_search += s.locked_search;
-      sum.subtree_sums += s.subtree_sums;
-      sum.scoring += s.scoring;
-      sum.movement += s.movement;
-    }
-    const double total = sum.locked_search + sum.subtree_sums + sum.scoring + sum.movement;
-    if (total == 0) return;
-    seconds_.locked_search += elapsed * sum.locked_search / total;
-    seconds_.subtree_sums += elapsed * sum.subtree_sums / total;
-    seconds_.scoring += elapsed * sum.scoring / total;
-    seconds_.movement += elapsed * sum.movement / total;
   }
 
   Scheduler& scheduler_;

@@ -6,8 +6,22 @@
 
 #include "core/forest.h"
 #include "core/stopwatch.h"
+#include "parallel/atomic_key.h"
 
 namespace geolloyd {
+
+void RegionSolver::gather(const Graph& graph, const std::vector<Key>& keys,
+                          std::span<const NodeId> nodes, std::vector<NodeId>& local_of) {
+  const Timed timed(seconds_.gathering);
+  copy_region(graph, keys, nodes, local_of, local_);
+}
+
+void RegionSolver::scatter_keys(RegionId region, std::vector<Key>& keys) {
+  const Timed timed(seconds_.gathering);
+  for (NodeId v = 0; v < local_.size(); ++v) {
+    store_key(keys[local_.node[v]], make_key(distance_of(local_.partition.key[v]), region));
+  }
+}
 
 RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended,
                                           Scheduler* shared) {
@@ -32,6 +46,7 @@ RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extende
 }
 
 void RegionSolver::begin(NodeId seed, Score score) {
+  const Timed timed(seconds_.gathering);
   const std::size_t nodes = local_.size();
   score_.assign(nodes, never_scored);
   ahead_.assign(nodes, never_scored);

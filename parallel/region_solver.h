@@ -38,12 +38,16 @@ class RegionSolver {
   /// `goes_on` is asked before each move; once it returns false the work ends.
   explicit RegionSolver(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
 
-  /// Of the region copied into local(), from `seed` and its keys and score. Leaves there the keys
-  /// of where the seed came to rest; if it may not go on till then, seed and keys are anywhere.
-  /// With all threads of `shared`, or alone where that is null.
+  /// Takes a copy of the region (local_region.h).
+  void gather(const Graph& graph, const std::vector<Key>& keys, std::span<const NodeId> nodes,
+              std::vector<NodeId>& local_of);
+  /// Of the region gathered last, from `seed`, whose keys and score these are. If it may not go on
+  /// until the seed rests, that is anywhere. With all threads of `shared`, or alone where that is
+  /// null.
   Outcome solve(NodeId seed, Score score, bool extended, Scheduler* shared);
+  /// Writes back the keys of where the seed is now; other threads may be reading those of others.
+  void scatter_keys(RegionId region, std::vector<Key>& keys);
 
-  LocalRegion& local() { return local_; }
   /// Time spent in here since this was last asked.
   KernelSeconds take_seconds() { return std::exchange(seconds_, {}); }
 

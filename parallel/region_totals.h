@@ -6,6 +6,7 @@
 
 #include "core/energy.h"
 #include "core/graph.h"
+#include "core/kernel_seconds.h"
 #include "core/partition.h"
 #include "parallel/members.h"
 #include "parallel/scheduler.h"
@@ -19,9 +20,9 @@ struct RegionTotals {
 };
 
 /// Derives the parents of the nodes in `pieces`, which make up whole regions, and the totals of
-/// those regions, from their settled keys (forest.h, energy.h).
+/// those regions, from their settled keys (forest.h, energy.h). Adds to `seconds` what each took.
 void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const Members& members,
                                std::span<const Piece> pieces, Partition& partition,
-                               RegionTotals& totals);
+                               RegionTotals& totals, KernelSeconds& seconds);
 
 }  // namespace geolloyd
