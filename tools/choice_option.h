@@ -9,7 +9,8 @@
 
 namespace geolloyd {
 
-/// Makes `option` take one of the names, and the help text list them as "a|b|c".
+/// Makes `option` take one of the names, or several separated by commas where it is a list, and the
+/// help text list them as "a|b|c".
 template <class Choice>
 CLI::Option* one_of(CLI::Option* option, const std::vector<Named<Choice>>& choices) {
   const std::vector<std::string> names = names_of(choices);

@@ -33,6 +33,9 @@ int run(int argc, char** argv) {
   program.get_formatter()->column_width(34);
   geolloyd::add_relax_command(program);
   geolloyd::add_verify_command(program);
+  geolloyd::add_compare_command(program);
+  geolloyd::add_profile_command(program);
+  geolloyd::add_batch_command(program);
   geolloyd::add_generate_command(program);
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);

@@ -46,6 +46,21 @@ const std::vector<Named<Backend>> backend_names = {
     {"openmp", Backend::openmp},
 };
 
+const std::vector<Named<Phase>> phase_names = {
+    {"greedy", Phase::greedy},
+    {"precise", Phase::precise},
+};
+
+const std::vector<Named<double KernelSeconds::*>> kernel_names = {
+    {"free_search", &KernelSeconds::free_search},
+    {"locked_search", &KernelSeconds::locked_search},
+    {"subtree_sums", &KernelSeconds::subtree_sums},
+    {"scoring", &KernelSeconds::scoring},
+    {"movement", &KernelSeconds::movement},
+    {"gathering", &KernelSeconds::gathering},
+    {"other", &KernelSeconds::other},
+};
+
 const std::vector<Named<EngineKind>> engine_names = {
     {"parallel", EngineKind::parallel},
     {"reference", EngineKind::reference},

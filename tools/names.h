@@ -27,6 +27,8 @@ extern const std::vector<Named<SeedInit>> seed_init_names;
 extern const std::vector<Named<End>> end_names;
 extern const std::vector<Named<Frontier>> frontier_names;
 extern const std::vector<Named<Backend>> backend_names;
+extern const std::vector<Named<Phase>> phase_names;
+extern const std::vector<Named<double KernelSeconds::*>> kernel_names;
 
 enum class EngineKind { parallel, reference };
 extern const std::vector<Named<EngineKind>> engine_names;

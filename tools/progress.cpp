@@ -46,7 +46,8 @@ void ProgressLine::print(const std::string& text) {
   // A line that wraps could not be taken back.
   winsize size{};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  std::fputs(("\r\033[K" + text.substr(0, known ? size.ws_col - 1U : 79U)).c_str(), stderr);
+  const std::string line = (part_ + text).substr(0, known ? size.ws_col - 1U : 79U);
+  std::fputs(("\r\033[K" + line).c_str(), stderr);
   std::fflush(stderr);
   printed_ = true;
 }

@@ -15,6 +15,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { clear(); }
 
+  /// What all that follows is part of, to be named first.
+  void part(const std::string& what) { part_ = what + "  "; }
   /// What is being done, where no steps can be counted.
   void stage(const std::string& what);
   void show(const Progress& progress, std::size_t seed_count);
@@ -25,6 +27,7 @@ class ProgressLine {
 
   bool on_terminal_;
   bool printed_ = false;
+  std::string part_;
   double last_shown_ = -1;  // seconds of watch_
   Stopwatch watch_;
 };

@@ -9,69 +9,93 @@ void add_mesh_argument(CLI::App& command, RelaxArguments& a) {
   command.add_option("MESH", a.mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
 }
 
+namespace {
+
+constexpr const char* seed_group = "Seeds";
+constexpr const char* graph_group = "Graph";
+constexpr const char* relaxation_group = "Relaxation";
+
+}  // namespace
+
 void add_seed_options(CLI::App& command, RelaxArguments& a) {
-  const char* group = "Seeds";
   command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions")
       ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("NUMBER")
-      ->group(group);
+      ->group(seed_group);
   command
       .add_option("--seeds-file", a.seeds_file,
                   "Start from these seeds instead: an input id or three coordinates\n"
                   "a line, or the seeds.csv of another run")
       ->type_name("FILE")
-      ->group(group);
+      ->group(seed_group);
+  add_init_options(command, a);
+}
+
+void add_init_options(CLI::App& command, RelaxArguments& a) {
   one_of(command.add_option("--init", a.init, "How to choose the first seeds"), seed_init_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(seed_group);
   command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds")
       ->type_name("NUMBER")
       ->capture_default_str()
-      ->group(group);
+      ->group(seed_group);
 }
 
 void add_graph_options(CLI::App& command, RelaxArguments& a) {
-  const char* group = "Graph";
   one_of(command.add_option("-g,--graph", a.graph,
                             "What the nodes are, and how densely they are joined"),
          graph_kind_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(graph_group);
+  add_metric_options(command, a);
+}
+
+void add_metric_options(CLI::App& command, RelaxArguments& a) {
   one_of(command.add_option("--norm", a.norm,
                             "How displacements are measured: manhattan and linf along the\n"
                             "tangent field or, without one, along the axes of the coordinates"),
          norm_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(graph_group);
   command
       .add_option("--vfield", a.vfield,
                   "Tangent field for an anisotropic metric: after a line of column\n"
                   "names k1, k2 and two vectors per vertex")
       ->type_name("FILE")
-      ->group(group);
+      ->group(graph_group);
 }
 
 void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
-  const char* group = "Relaxation";
   one_of(
       command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours"),
       greedy_mode_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(relaxation_group);
   command
       .add_flag("--no-microstep-skip", a.no_microstep_skip,
                 "Search regions again even if their seed stayed: slower, same result")
-      ->group(group);
+      ->group(relaxation_group);
   command
       .add_flag("--no-macrostep-skip", a.no_macrostep_skip,
                 "Move seeds even if the score of their region did not change")
-      ->group(group);
+      ->group(relaxation_group);
+  add_limit_options(command, a);
+}
+
+void add_limit_options(CLI::App& command, RelaxArguments& a) {
   command.add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after these")
       ->type_name("NUMBER")
-      ->group(group);
+      ->group(relaxation_group);
   command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these")
       ->type_name("NUMBER")
-      ->group(group);
+      ->group(relaxation_group);
+}
+
+void add_engine_option(CLI::App& command, RelaxArguments& a) {
+  one_of(command.add_option("--engine", a.engine,
+                            "parallel, or the sequential reference: slow, the same result"),
+         engine_names)
+      ->capture_default_str();
 }
 
 void add_thread_options(CLI::App& command, RelaxArguments& a) {

@@ -33,9 +33,13 @@ struct RelaxArguments {
 };
 
 void add_mesh_argument(CLI::App& command, RelaxArguments& a);
-void add_seed_options(CLI::App& command, RelaxArguments& a);
-void add_graph_options(CLI::App& command, RelaxArguments& a);
-void add_relaxation_options(CLI::App& command, RelaxArguments& a);
+void add_seed_options(CLI::App& command, RelaxArguments& a);   // with those of the next line
+void add_init_options(CLI::App& command, RelaxArguments& a);   // how, not how many
+void add_graph_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
+void add_metric_options(CLI::App& command, RelaxArguments& a);
+void add_relaxation_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
+void add_limit_options(CLI::App& command, RelaxArguments& a);
+void add_engine_option(CLI::App& command, RelaxArguments& a);
 void add_thread_options(CLI::App& command, RelaxArguments& a);
 
 /// Throws InvalidInput where options contradict each other.

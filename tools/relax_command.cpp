@@ -2,18 +2,17 @@
 
 #include <memory>
 
-#include "core/reference_engine.h"
-#include "parallel/parallel_engine.h"
-#include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
+#include "tools/machine.h"
+#include "tools/measured_run.h"
 #include "tools/names.h"
 #include "tools/picture.h"
 #include "tools/progress.h"
 #include "tools/relax_output.h"
-#include "tools/report.h"
+#include "tools/report_parts.h"
 #include "tools/run_record.h"
 #include "tools/stages.h"
 
@@ -25,11 +24,10 @@ void relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds
   const Stopwatch watch;
   const Graph& graph = run.mesh_graph.graph;
   const std::size_t count = seeds.size();
-  run.threads = run.arguments.engine == "reference" ? 1 : scheduler.threads();
-  const auto engine = run.arguments.engine == "reference"
-                          ? make_reference_engine(graph)
-                          : make_parallel_engine(scheduler, graph,
-                                                 value_of(frontier_names, run.arguments.frontier));
+  const EngineKind kind = value_of(engine_names, run.arguments.engine);
+  run.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
+  const auto engine =
+      make_engine(kind, value_of(frontier_names, run.arguments.frontier), scheduler, graph);
   run.relaxation = relax(graph, *engine, std::move(seeds), relaxation_options(run.arguments),
                          [&](const Progress& p) {
                            progress.show(p, count);
@@ -135,10 +133,7 @@ void add_relax_command(CLI::App& program) {
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);
-  one_of(command->add_option("--engine", arguments->engine,
-                             "parallel, or the sequential reference: slow, the same result"),
-         engine_names)
-      ->capture_default_str();
+  add_engine_option(*command, *arguments);
   add_thread_options(*command, *arguments);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far.\n"

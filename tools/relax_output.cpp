@@ -3,13 +3,12 @@
 #include <array>
 #include <span>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <vector>
 
-#include "core/errors.h"
 #include "core/file_writer.h"
 #include "parallel/primitives.h"
+#include "tools/output_folder.h"
 #include "tools/report.h"
 
 namespace geolloyd {
@@ -58,21 +57,6 @@ void write_regions(const RunRecord& run, FileWriter& out) {
   }
 }
 
-// That a file can be written, and would not replace one of `others`.
-void check_target(const std::filesystem::path& target,
-                  std::span<const std::filesystem::path> others) {
-  const OutputFile probe(target);
-  std::error_code error;
-  for (const std::filesystem::path& other : others) {
-    if (other.empty()) continue;
-    if (std::filesystem::equivalent(target, other, error) ||
-        std::filesystem::weakly_canonical(target, error) ==
-            std::filesystem::weakly_canonical(other, error)) {
-      throw InvalidInput(other.string() + ": would be overwritten: write somewhere else");
-    }
-  }
-}
-
 template <class Write>
 void write_file(const RunRecord& run, const char* name, Write&& write) {
   FileWriter out(run.arguments.output / name);
@@ -83,17 +67,12 @@ void write_file(const RunRecord& run, const char* name, Write&& write) {
 }  // namespace
 
 void prepare_output(const RelaxArguments& arguments) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(arguments.output, error);
-  if (error) throw IoError(arguments.output.string() + ": cannot make folder: " + error.message());
-
-  std::vector<fs::path> inputs = {arguments.mesh, arguments.vfield};
-  for (const char* name : result_names) check_target(arguments.output / name, inputs);
+  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
+  prepare_folder(arguments.output, result_names, others);
   if (arguments.picture.empty()) return;
-  inputs.push_back(arguments.seeds_file);
-  for (const char* name : result_names) inputs.push_back(arguments.output / name);
-  check_target(arguments.picture, inputs);
+  others.push_back(arguments.seeds_file);
+  for (const char* name : result_names) others.push_back(arguments.output / name);
+  check_target(arguments.picture, others);
 }
 
 void write_results(const RunRecord& run, Scheduler& scheduler) {
@@ -110,8 +89,7 @@ void write_results(const RunRecord& run, Scheduler& scheduler) {
 }
 
 void write_report(const RunRecord& run) {
-  write_file(run, "report.json",
-             [](const RunRecord& record, FileWriter& out) { out.text(report_text(record)); });
+  write_text_file(run.arguments.output / "report.json", report_text(run));
 }
 
 }  // namespace geolloyd

@@ -12,10 +12,9 @@
 #include "tools/names.h"
 
 namespace geolloyd {
-namespace {
 
 // Edges are arcs to be, so finding them counts as building the graph.
-MeshEdges load(RunRecord& run, Scheduler& scheduler) {
+MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
   run.input = read_mesh(run.arguments.mesh);
   const Stopwatch finding;
@@ -36,6 +35,8 @@ void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges) {
   run.mesh_graph = make_mesh_graph(scheduler, run.input.mesh, edges, options);
   run.seconds.graph += watch.seconds();
 }
+
+namespace {
 
 std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
@@ -61,7 +62,7 @@ Scheduler make_scheduler(const RelaxArguments& a) {
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {
   progress.stage("reading " + run.arguments.mesh.string());
   {
-    const MeshEdges edges = load(run, scheduler);
+    const MeshEdges edges = load_mesh(run, scheduler);
     progress.stage("building the " + run.arguments.graph + " graph");
     build_graph(run, scheduler, edges);
   }

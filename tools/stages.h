@@ -11,8 +11,14 @@ namespace geolloyd {
 /// The threads that the command line asks for.
 Scheduler make_scheduler(const RelaxArguments& a);
 
-/// All that comes before the relaxation: reads and checks the mesh, builds the graph, chooses or
-/// reads the first seeds and returns them. Fills in what `run` has to say of these stages.
+/// Reads and checks the mesh.
+MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler);
+
+/// Of the kind that the arguments say.
+void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges);
+
+/// All that comes before the relaxation: these two, then chooses or reads the first seeds and
+/// returns them. Fills in what `run` has to say of these stages.
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
 
 }  // namespace geolloyd

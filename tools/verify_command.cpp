@@ -10,7 +10,7 @@
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
 #include "tools/names.h"
-#include "tools/report.h"
+#include "tools/report_parts.h"
 #include "tools/stages.h"
 
 namespace geolloyd {

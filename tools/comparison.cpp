@@ -1,0 +1,98 @@
+#include "tools/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "tools/experiment.h"
+#include "tools/facts_text.h"
+#include "tools/interrupt.h"
+#include "tools/measured_run.h"
+
+namespace geolloyd {
+namespace {
+
+void note(MeasuredRun measured, Contender& c, Comparison& comparison) {
+  const std::uint64_t fingerprint = measured.relaxation.fingerprint;
+  if (comparison.relaxation.steps.empty()) comparison.relaxation = std::move(measured.relaxation);
+  if (c.seconds.empty() || comparison.is_equal(c)) c.fingerprint = fingerprint;
+  c.seconds.insert(std::upper_bound(c.seconds.begin(), c.seconds.end(), measured.seconds),
+                   measured.seconds);
+  c.peak_memory_bytes = std::max(c.peak_memory_bytes, measured.peak_memory_bytes);
+}
+
+bool is_parallel(const Contender& c) {
+  return c.engine == EngineKind::parallel;
+}
+
+}  // namespace
+
+std::optional<double> Comparison::speedup(const Contender& c) const {
+  if (is_parallel(contenders.front())) return {};
+  return contenders.front().median() / c.median();
+}
+
+std::optional<double> Comparison::efficiency(const Contender& c) const {
+  for (const Contender& one : contenders) {
+    if (one.engine == c.engine && one.frontier == c.frontier && one.backend == c.backend &&
+        one.threads == 1) {
+      return one.median() / c.median() / static_cast<double>(c.threads);
+    }
+  }
+  return {};
+}
+
+Comparison compare(std::vector<Contender> contenders, std::size_t turns, const Graph& graph,
+                   const std::vector<NodeId>& seeds, const RelaxationOptions& options,
+                   ProgressLine& progress) {
+  Comparison comparison;
+  for (std::size_t turn = 1; turn <= turns && !interrupted(); ++turn) {
+    for (Contender& c : contenders) {
+      if (turn > 1 && !is_parallel(c)) continue;
+      progress.part(fmt::format("{}, turn {} of {}:", title_of(c), turn, turns));
+      Scheduler scheduler(c.threads, c.backend);
+      MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds, options,
+                                         watcher(progress, seeds.size()));
+      if (interrupted()) break;
+      note(std::move(measured), c, comparison);
+    }
+  }
+  std::erase_if(contenders, [](const Contender& c) { return c.seconds.empty(); });
+  comparison.contenders = std::move(contenders);
+  return comparison;
+}
+
+std::string title_of(const Contender& c) {
+  if (!is_parallel(c)) return "reference";
+  return fmt::format("{} {}, {}", name_of(frontier_names, c.frontier),
+                     name_of(backend_names, c.backend), counted(c.threads, "thread", "threads"));
+}
+
+Json rows_of(const Comparison& comparison) {
+  const Relaxation& relaxation = comparison.relaxation;
+  const auto nodes = static_cast<double>(relaxation.partition.key.size());
+  const auto visits = static_cast<double>(count_steps(relaxation).node_visits);
+  Json rows = Json::array();
+  for (const Contender& c : comparison.contenders) {
+    const bool parallel = is_parallel(c);
+    rows.push_back(
+        {{"engine", name_of(engine_names, c.engine)},
+         {"frontier", parallel ? Json(name_of(frontier_names, c.frontier)) : Json(nullptr)},
+         {"backend", parallel ? Json(name_of(backend_names, c.backend)) : Json(nullptr)},
+         {"threads", c.threads},
+         {"turns", c.seconds.size()},
+         {"seconds",
+          {{"min", c.seconds.front()}, {"median", c.median()}, {"max", c.seconds.back()}}},
+         {"node_visits_per_second", visits / c.median()},
+         {"nodes_per_second", nodes / c.median()},
+         {"speedup", number_or_null(comparison.speedup(c))},
+         {"efficiency", number_or_null(comparison.efficiency(c))},
+         {"peak_memory_bytes", c.peak_memory_bytes},
+         {"fingerprint", fingerprint_text(c.fingerprint)},
+         {"equal", comparison.is_equal(c)}});
+  }
+  return rows;
+}
+
+}  // namespace geolloyd

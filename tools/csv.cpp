@@ -1,0 +1,41 @@
+#include "tools/csv.h"
+
+#include <utility>
+#include <vector>
+
+namespace geolloyd {
+namespace {
+
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+void flatten(const Json& object, const std::string& prefix, Fields& fields) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      flatten(value, prefix + key + "_", fields);
+    } else if (!value.is_array()) {
+      std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      fields.emplace_back(prefix + key, value.is_null() ? "" : std::move(text));
+    }
+  }
+}
+
+}  // namespace
+
+std::string csv_text(const Json& rows) {
+  std::string head;
+  std::string body;
+  for (const Json& row : rows) {
+    Fields fields;
+    flatten(row, "", fields);
+    std::string names;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const char* end = i + 1 < fields.size() ? "," : "\n";
+      names += fields[i].first + end;
+      body += fields[i].second + end;
+    }
+    if (head.empty()) head = std::move(names);
+  }
+  return head + body;
+}
+
+}  // namespace geolloyd

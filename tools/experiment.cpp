@@ -1,0 +1,80 @@
+#include "tools/experiment.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "tools/csv.h"
+#include "tools/facts_text.h"
+#include "tools/interrupt.h"
+#include "tools/machine.h"
+#include "tools/output_folder.h"
+#include "tools/plot.h"
+
+namespace geolloyd {
+
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
+  command
+      .add_option("-o,--output", output.folder,
+                  fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name))
+      ->type_name("FOLDER");
+  command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
+}
+
+void prepare_output(const ExperimentOutput& output, const std::string& name,
+                    const RelaxArguments& arguments) {
+  if (output.folder.empty()) return;
+  const std::string json = name + ".json";
+  const std::string csv = name + ".csv";
+  const std::array names = {json.c_str(), csv.c_str()};
+  const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
+  prepare_folder(output.folder, names, others);
+}
+
+Json begin_result(const std::string& command, const RunRecord& run) {
+  return {{"program", "geolloyd " GEOLLOYD_VERSION},
+          {"command", command},
+          {"machine", machine_part()},
+          {"mesh",
+           {{"file", run.arguments.mesh.string()},
+            {"vertices", run.facts.vertices},
+            {"triangles", run.facts.triangles}}}};
+}
+
+void write_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                  const Json& result) {
+  if (output.folder.empty()) return;
+  const std::filesystem::path csv = output.folder / (name + ".csv");
+  const std::filesystem::path json = output.folder / (name + ".json");
+  write_text_file(csv, csv_text(rows));
+  write_text_file(json, json_text(result));
+  fmt::print("\n{}\n{}\n", csv.string(), json.string());
+  if (!output.no_plot && !rows.empty()) draw_plot(json);
+}
+
+Observer watcher(ProgressLine& progress, std::size_t seeds) {
+  return [&progress, seeds](const Progress& p) {
+    progress.show(p, seeds);
+    return !interrupted();
+  };
+}
+
+std::string duration_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.4g} ms", seconds * 1e3) : fmt::format("{:.4g} s", seconds);
+}
+
+void print_heading(const RunRecord& run, std::size_t seeds) {
+  const Graph& graph = run.mesh_graph.graph;
+  fmt::print("{}: {} graph, {}, {}, {}\n", run.arguments.mesh.string(), run.arguments.graph,
+             counted(graph.node_count(), "node", "nodes"),
+             counted(graph.arc_count(), "arc", "arcs"), counted(seeds, "seed", "seeds"));
+  print_machine();
+}
+
+void print_machine() {
+  const Machine machine = this_machine();
+  fmt::print("{}, {} at once, {}\n\n", machine.processor,
+             counted(machine.threads, "thread", "threads"), machine.compiler);
+}
+
+}  // namespace geolloyd

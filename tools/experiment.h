@@ -1,0 +1,45 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <string>
+
+#include "tools/progress.h"
+#include "tools/report_parts.h"
+#include "tools/run_record.h"
+
+namespace geolloyd {
+
+// What the commands that measure have in common: NAME.json, NAME.csv and pictures in a folder.
+
+struct ExperimentOutput {
+  std::filesystem::path folder;  ///< none: nothing is written
+  bool no_plot = false;
+};
+
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
+
+/// Makes sure that the files can be written and would replace no input.
+void prepare_output(const ExperimentOutput& output, const std::string& name,
+                    const RelaxArguments& arguments);
+
+/// The beginning of a result file: program, command, machine, mesh.
+Json begin_result(const std::string& command, const RunRecord& run);
+
+/// Writes NAME.csv, which holds `rows`, and NAME.json, draws that, and prints what was written.
+void write_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                  const Json& result);
+
+/// Says on the terminal how far a relaxation is, and ends it when an interrupt came.
+Observer watcher(ProgressLine& progress, std::size_t seeds);
+
+/// "1.35 s", "24.5 ms".
+std::string duration_text(double seconds);
+
+/// A line that names mesh and graph, and the next.
+void print_heading(const RunRecord& run, std::size_t seeds);
+
+/// A line that names the machine.
+void print_machine();
+
+}  // namespace geolloyd

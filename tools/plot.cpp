@@ -1,0 +1,43 @@
+#include "tools/plot.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+namespace geolloyd {
+namespace {
+
+// Beside the installed program, or else where this one was built from.
+std::filesystem::path script() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path installed =
+      program.parent_path().parent_path() / "share" / "geolloyd" / "plot.py";
+  return std::filesystem::exists(installed, error) ? installed
+                                                   : std::filesystem::path(GEOLLOYD_PLOT_SCRIPT);
+}
+
+}  // namespace
+
+bool draw_plot(const std::filesystem::path& result_file) {
+  std::fflush(stdout);
+  std::string python = "python3";
+  std::string program = script().string();
+  std::string argument = result_file.string();
+  const std::array<char*, 4> arguments = {python.data(), program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) {
+    std::fputs("no picture: python3 is missing\n", stderr);
+    return false;
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace geolloyd {
+
+/// Has bench/plot.py draw a result file into pictures beside it; it prints their names, or on
+/// standard error what it lacks. Returns whether it did.
+bool draw_plot(const std::filesystem::path& result_file);
+
+}  // namespace geolloyd
