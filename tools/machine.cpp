@@ -43,7 +43,7 @@ constexpr const char* compiler = "GCC " __VERSION__;
 Machine this_machine() {
   const utsname names = kernel();
   return {processor_name(), std::thread::hardware_concurrency(), memory_bytes(),
-          fmt::format("{} {} {}", names.sysname, names.release, names.machine), compiler};
+          fmt::format("{} {}", names.sysname, names.machine), compiler};
 }
 
 std::uint64_t peak_memory_bytes() {

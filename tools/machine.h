@@ -11,7 +11,7 @@ struct Machine {
   std::string processor;
   std::size_t threads = 0;  ///< that run at once
   std::uint64_t memory_bytes = 0;
-  std::string system;    ///< kernel and architecture
+  std::string system;    ///< and architecture
   std::string compiler;  ///< this program's
 };
 
