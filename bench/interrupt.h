@@ -1,0 +1,13 @@
+#pragma once
+
+namespace geolloyd {
+
+/// Thrown where the work can be left: no benchmark's failure, so no std::exception.
+struct Interrupted {};
+
+/// From now on Ctrl-C is answered by leave_if_interrupted(), so that temporary files go; a second
+/// one ends the program at once.
+void watch_for_interrupts();
+void leave_if_interrupted();
+
+}  // namespace geolloyd

@@ -1,0 +1,79 @@
+#include "bench/run.h"
+
+#include <algorithm>
+#include <exception>
+#include <thread>
+#include <utility>
+
+namespace geolloyd {
+namespace {
+
+bool some_failed = false;
+
+std::string name_of(const std::string& stage, const BenchMesh& mesh, const Setting& setting) {
+  std::string name = stage + "/" + mesh.name;
+  if (setting.seeds != 0) name += "/seeds:" + std::to_string(setting.seeds);
+  name += setting.threads == Setting::sequential ? "/sequential"
+                                                 : "/threads:" + std::to_string(setting.threads);
+  if (!setting.more.empty()) name += "/" + setting.more;
+  return name;
+}
+
+}  // namespace
+
+void Run::rate(const char* what, std::size_t per_turn) {
+  state_.counters[what] = benchmark::Counter(static_cast<double>(per_turn),
+                                             benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void Run::count(const char* what, std::size_t per_turn) {
+  state_.counters[what] = static_cast<double>(per_turn);
+}
+
+void Run::bytes(std::size_t per_turn) {
+  state_.SetBytesProcessed(state_.iterations() * static_cast<std::int64_t>(per_turn));
+}
+
+void Run::rate_of_graph(const Graph& graph) {
+  rate("nodes/s", graph.node_count());
+  rate("arcs/s", graph.arc_count());
+}
+
+void Run::fail(const std::string& complaint) {
+  failed_ = true;
+  some_failed = true;
+  state_.SkipWithError(complaint.c_str());
+}
+
+void add_benchmark(const std::string& stage, const BenchMesh& mesh, const Setting& setting,
+                   std::function<void(Run&)> body) {
+  const auto call = [mesh, setting, body = std::move(body),
+                     is_verified = false](benchmark::State& state) mutable {
+    Run run(state, mesh, setting, is_verified);
+    leave_if_interrupted();
+    try {
+      body(run);
+    } catch (const std::exception& error) {
+      run.fail(error.what());
+    }
+    is_verified = !run.failed();
+  };
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Google Benchmark keeps it
+  benchmark::RegisterBenchmark(name_of(stage, mesh, setting).c_str(), call)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+bool any_benchmark_failed() {
+  return some_failed;
+}
+
+std::vector<std::size_t> thread_ladder() {
+  const std::size_t all = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::size_t> ladder;
+  for (std::size_t threads = 1; threads < all; threads *= 2) ladder.push_back(threads);
+  ladder.push_back(all);
+  return ladder;
+}
+
+}  // namespace geolloyd
