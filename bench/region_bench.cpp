@@ -130,8 +130,9 @@ void find_totals_in_parallel(Run& run) {
   const std::vector<Piece> pieces = cut_into_pieces(members, all);
   Partition partition{solved.partition.key, std::vector<NodeId>(graph.node_count(), no_id)};
   RegionTotals totals{std::vector<Score>(regions), std::vector<std::uint64_t>(regions)};
+  KernelSeconds seconds;
   const auto work = [&] {
-    derive_parents_and_totals(scheduler, graph, members, pieces, partition, totals);
+    derive_parents_and_totals(scheduler, graph, members, pieces, partition, totals, seconds);
   };
   run.verify("not the parents or totals of the sequential twin", [&] {
     work();

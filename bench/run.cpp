@@ -1,8 +1,6 @@
 #include "bench/run.h"
 
-#include <algorithm>
 #include <exception>
-#include <thread>
 #include <utility>
 
 namespace geolloyd {
@@ -66,14 +64,6 @@ void add_benchmark(const std::string& stage, const BenchMesh& mesh, const Settin
 
 bool any_benchmark_failed() {
   return some_failed;
-}
-
-std::vector<std::size_t> thread_ladder() {
-  const std::size_t all = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::size_t> ladder;
-  for (std::size_t threads = 1; threads < all; threads *= 2) ladder.push_back(threads);
-  ladder.push_back(all);
-  return ladder;
 }
 
 }  // namespace geolloyd

@@ -88,7 +88,4 @@ void add_benchmark(const std::string& stage, const BenchMesh& mesh, const Settin
 /// Whether any benchmark has failed so far.
 bool any_benchmark_failed();
 
-/// 1, 2, 4 and so on, up to all that the machine has.
-std::vector<std::size_t> thread_ladder();
-
 }  // namespace geolloyd

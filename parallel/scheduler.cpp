@@ -48,4 +48,12 @@ void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>&
   while (job.done.load(std::memory_order_acquire) != workers) std::this_thread::yield();
 }
 
+std::vector<std::size_t> thread_ladder() {
+  const std::size_t all = resolve(0);
+  std::vector<std::size_t> ladder;
+  for (std::size_t threads = 1; threads < all; threads *= 2) ladder.push_back(threads);
+  ladder.push_back(all);
+  return ladder;
+}
+
 }  // namespace geolloyd

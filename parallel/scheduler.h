@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "parallel/backends.h"
 
@@ -35,5 +36,8 @@ class Scheduler {
   Backend backend_;
   TbbPoolPointer tbb_;  // null where not used
 };
+
+/// Numbers of threads to compare: 1, 2, 4 and so on, up to all that the machine has.
+std::vector<std::size_t> thread_ladder();
 
 }  // namespace geolloyd

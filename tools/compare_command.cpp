@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "tools/choice_option.h"
 #include "tools/commands.h"
@@ -25,14 +24,6 @@ struct CompareArguments {
   bool no_reference = false;
   ExperimentOutput output;
 };
-
-std::vector<std::size_t> thread_ladder() {
-  const std::size_t all = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::size_t> ladder;
-  for (std::size_t threads = 1; threads < all; threads *= 2) ladder.push_back(threads);
-  ladder.push_back(all);
-  return ladder;
-}
 
 std::vector<Contender> contenders_of(const CompareArguments& a) {
   std::vector<Contender> contenders;
