@@ -162,6 +162,51 @@ def batch_table(folder: Path, published: dict) -> None:
                 ["graph", "seeds", "reference", "parallel", "ratio", "thesis", "thesis / parallel"], rows)
 
 
+def stage_of(name: str) -> tuple[str, str, str]:
+    """What is timed, by how many threads, with which bucket width ("": the default)."""
+    parts = name.removesuffix("/manual_time").split("/")
+    delta = parts.pop().removeprefix("delta:") if parts[-1].startswith("delta:") else ""
+    threads = parts.pop().removeprefix("threads:")
+    mesh = next(i for i, part in enumerate(parts) if i > 0 and (part.endswith(".ply") or "creature-" in part))
+    del parts[mesh]
+    return "/".join(parts), threads, delta
+
+
+def throughput(benchmark: dict) -> str:
+    for key in ("triangles/s", "node visits/s", "arcs/s", "nodes/s", "seeds/s"):
+        if key in benchmark:
+            return f"{benchmark[key] * 1e-6:.3g} M {key}"
+    return ""
+
+
+def stage_tables(folder: Path) -> None:
+    """What Google Benchmark measured: each stage by threads, and the sweep of bucket widths."""
+    path = folder / "stages.json"
+    if not path.is_file():
+        return
+    stages: dict[str, dict[str, dict]] = {}
+    sweep: dict[tuple[str, str], dict[str, float]] = {}
+    for benchmark in json.loads(path.read_text())["benchmarks"]:
+        stage, threads, delta = stage_of(benchmark["run_name"])
+        if delta:
+            sweep.setdefault((stage, threads), {})[delta] = benchmark["real_time"]
+        else:
+            stages.setdefault(stage, {})[threads] = benchmark
+    threads = sorted({t for by in stages.values() for t in by if t != "sequential"}, key=int)
+    rows = [
+        [stage, *(duration(by[t]["real_time"] / 1e3) if t in by else "" for t in ("sequential", *threads)),
+         throughput(list(by.values())[-1])]
+        for stage, by in stages.items()
+    ]
+    heads = ["stage", "sequential", *(f"{t} thread{'' if t == '1' else 's'}" for t in threads), "throughput of the last"]
+    print_table("Stages", heads, rows)
+    widths = sorted({d for by in sweep.values() for d in by}, key=float)
+    rows = [
+        [stage, t, *(duration(by[d] / 1e3) if d in by else "" for d in widths)] for (stage, t), by in sweep.items()
+    ]
+    print_table("Delta-stepping by width of buckets, in mean arcs", ["search", "threads", *widths], rows)
+
+
 def main() -> int:
     if len(sys.argv) != 2 or not Path(sys.argv[1]).is_dir():
         print("usage: tables.py FOLDER, one that bench/measure has filled", file=sys.stderr)
@@ -174,6 +219,7 @@ def main() -> int:
     frontier_table(folder)
     ladder_table(folder, published)
     batch_table(folder, published)
+    stage_tables(folder)
     return 0
 
 
