@@ -118,6 +118,9 @@ std::string code_running() {
 #else
   std::string code = "GCC " + std::to_string(__GNUC__);
 #endif
+#if defined(__GLIBC__)
+  code += ", glibc " + std::to_string(__GLIBC__) + "." + std::to_string(__GLIBC_MINOR__);
+#endif
 #if defined(__x86_64__)
   code += __builtin_cpu_supports("avx2") != 0 ? ", x86-64, AVX2" : ", x86-64, no AVX2";
 #else
