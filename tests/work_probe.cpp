@@ -22,7 +22,7 @@
 #include <valgrind/callgrind.h>
 #else
 #define CALLGRIND_START_INSTRUMENTATION
-#define CALLGRIND_DUMP_STATS_AT(name)
+#define CALLGRIND_DUMP_STATS_AT(name) static_cast<void>(name)
 #define CALLGRIND_STOP_INSTRUMENTATION
 #endif
 
