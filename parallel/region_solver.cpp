@@ -5,22 +5,31 @@
 #include <numeric>
 
 #include "core/forest.h"
-#include "core/stopwatch.h"
 #include "parallel/atomic_key.h"
 
 namespace geolloyd {
 
 void RegionSolver::gather(const Graph& graph, const std::vector<Key>& keys,
                           std::span<const NodeId> nodes, std::vector<NodeId>& local_of) {
-  const Timed timed(seconds_.gathering);
+  laps_.begin(weight_of_time(nodes.size()));
   copy_region(graph, keys, nodes, local_of, local_);
+  laps_.end(seconds_.gathering);
+}
+
+// Small regions are settled in little more time than it takes to measure that, so every eighth of
+// them stands for all.
+double RegionSolver::weight_of_time(std::size_t nodes) {
+  constexpr std::size_t small = 512;
+  constexpr std::size_t every = 8;
+  if (nodes >= small) return 1;
+  return small_regions_++ % every == 0 ? every : 0;
 }
 
 void RegionSolver::scatter_keys(RegionId region, std::vector<Key>& keys) {
-  const Timed timed(seconds_.gathering);
   for (NodeId v = 0; v < local_.size(); ++v) {
     store_key(keys[local_.node[v]], make_key(distance_of(local_.partition.key[v]), region));
   }
+  laps_.end(seconds_.gathering);
 }
 
 RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended,
@@ -42,11 +51,11 @@ RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extende
     at = next;
     ++moves;
   }
+  laps_.end(seconds_.movement);
   return {local_.node[at], moves};
 }
 
 void RegionSolver::begin(NodeId seed, Score score) {
-  const Timed timed(seconds_.gathering);
   const std::size_t nodes = local_.size();
   score_.assign(nodes, never_scored);
   ahead_.assign(nodes, never_scored);
@@ -61,6 +70,7 @@ void RegionSolver::begin(NodeId seed, Score score) {
   }
   stand_ = no_id;
   sources_.clear();
+  laps_.end(seconds_.gathering);
 }
 
 void RegionSolver::stand_at(NodeId node) {
@@ -83,31 +93,28 @@ void RegionSolver::move_keys_to(NodeId node) {
     search_from_sources();
     source = sources_.begin();
   }
-  const Timed timed(seconds_.locked_search);
   const auto lane = static_cast<std::size_t>(source - sources_.begin());
   for (NodeId v = 0; v < local_.size(); ++v) {
     local_.partition.key[v] = make_key(lanes_.distance(v, lane), 0);
   }
+  laps_.end(seconds_.locked_search);
 }
 
 void RegionSolver::find_sums() {
   if (shared_) {
-    const Timed timed(seconds_.subtree_sums);
     shared_->find_sums(stand_, local_.partition, branch_of_, sums_);
+    laps_.end(seconds_.subtree_sums);
     return;
   }
   const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
-  {
-    const Timed timed(seconds_.locked_search);
-    derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
-  }
-  const Timed timed(seconds_.subtree_sums);
+  derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
+  laps_.end(seconds_.locked_search);
   find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
+  laps_.end(seconds_.subtree_sums);
 }
 
 void RegionSolver::weigh_neighbours() {
   find_sums();
-  const Timed timed(seconds_.movement);
   const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
   promises_.clear();
   for (const NodeId v : local_.graph.neighbours(stand_)) {
@@ -116,6 +123,7 @@ void RegionSolver::weigh_neighbours() {
   std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
     return a.heuristic != b.heuristic ? a.heuristic > b.heuristic : a.node < b.node;
   });
+  laps_.end(seconds_.movement);
 }
 
 NodeId RegionSolver::best_promise() const {
@@ -128,16 +136,17 @@ NodeId RegionSolver::best_promise() const {
 Score RegionSolver::score_of(NodeId node) {
   if (shared_) {
     search_shared(node);
-    const Timed timed(seconds_.scoring);
-    return shared_->score();
+    const Score score = shared_->score();
+    laps_.end(seconds_.scoring);
+    return score;
   }
   if (ahead_[node] == never_scored) look_ahead(node);
   return ahead_[node];
 }
 
 void RegionSolver::search_shared(NodeId source) {
-  const Timed timed(seconds_.locked_search);
   shared_->run(local_.partition, stand_, branch_of_, source);
+  laps_.end(seconds_.locked_search);
 }
 
 // Fills the lanes with `node` and what may follow it.
@@ -149,18 +158,18 @@ void RegionSolver::look_ahead(NodeId node) {
     if (wanted && p.node != node) sources_.push_back(p.node);
   }
   search_from_sources();
-  const Timed timed(seconds_.scoring);
   const auto scores = lanes_.scores(local_.graph);
   for (std::size_t j = 0; j < sources_.size(); ++j) ahead_[sources_[j]] = scores[j];
+  laps_.end(seconds_.scoring);
 }
 
 void RegionSolver::search_from_sources() {
-  const Timed timed(seconds_.locked_search);
   find_order();
   offset_.resize(local_.graph.neighbours(stand_).size() + 1);
   for (std::size_t j = 0; j < LaneSearch::lanes; ++j) offset_lane(j);
   lanes_.run(local_.graph, sources_, {local_.partition.key, branch_of_, offset_},
              std::span(order_).first(local_.size()));
+  laps_.end(seconds_.locked_search);
 }
 
 // From a neighbour of the stand, what is in its subtree is nearer by its distance, and the rest

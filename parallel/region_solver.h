@@ -9,6 +9,7 @@
 
 #include "core/engine.h"
 #include "core/seed_move.h"
+#include "core/stopwatch.h"
 #include "parallel/branches.h"
 #include "parallel/lane_search.h"
 #include "parallel/local_region.h"
@@ -48,8 +49,11 @@ class RegionSolver {
   /// Writes back the keys of where the seed is now; other threads may be reading those of others.
   void scatter_keys(RegionId region, std::vector<Key>& keys);
 
-  /// Time spent in here since this was last asked.
-  KernelSeconds take_seconds() { return std::exchange(seconds_, {}); }
+  /// Time spent in here since this was last asked; an estimate, for the shares of kernels in it.
+  KernelSeconds take_seconds() {
+    small_regions_ = 0;
+    return std::exchange(seconds_, {});
+  }
 
  private:
   // A neighbour of the stand, and how promising it is.
@@ -58,6 +62,7 @@ class RegionSolver {
     NodeId node;
   };
 
+  double weight_of_time(std::size_t nodes);
   void begin(NodeId seed, Score score);
   void stand_at(NodeId node);
   void move_keys_to(NodeId node);
@@ -97,6 +102,8 @@ class RegionSolver {
   std::vector<LaneSearch::Lanes> offset_;
   std::vector<std::uint8_t> below_;
   KernelSeconds seconds_;
+  Laps laps_;
+  std::size_t small_regions_ = 0;  // since the time was last asked
 };
 
 }  // namespace geolloyd
