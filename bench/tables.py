@@ -72,7 +72,8 @@ def comparison_tables(folder: Path, published: dict) -> None:
         reference = runs[0]["seconds"]["median"]
         one, most = regions[0], regions[-1]
         best = most["seconds"]["median"]
-        graph, seeds = options["graph"], options["seeds"]
+        graph = options["graph"] + ("-anisotropic" if options["vfield"] else "")
+        seeds = options["seeds"]
         given = "given" if options["seeds_file"] else options["init"]
         known = [
             published_for(published, result, seeds, graph, source) if given == "given" else None
