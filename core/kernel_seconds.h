@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 namespace geolloyd {
@@ -31,7 +32,7 @@ inline double total(const KernelSeconds& seconds) {
 /// What was added since `before`, and as `other` what is missing to `elapsed`.
 inline KernelSeconds since(const KernelSeconds& before, KernelSeconds now, double elapsed) {
   for (const auto kernel : kernels) now.*kernel -= before.*kernel;
-  now.other += elapsed - total(now);
+  now.other += std::max(0.0, elapsed - total(now));  // rounding may leave less than nothing
   return now;
 }
 

@@ -1,0 +1,1 @@
+"""The pictures that bench/plot.py draws."""
