@@ -23,4 +23,8 @@ void leave_if_interrupted() {
   if (is_interrupted != 0) throw Interrupted{};
 }
 
+bool was_interrupted() {
+  return is_interrupted != 0;
+}
+
 }  // namespace geolloyd

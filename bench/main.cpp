@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   geolloyd::watch_for_interrupts();
   add_all(arguments.meshes.empty() ? generated_meshes(arguments) : given_meshes(arguments));
   if (benchmark::RunSpecifiedBenchmarks() == 0) return status_bad_input;  // it has said why
+  if (geolloyd::was_interrupted()) return status_interrupted;
   return geolloyd::any_benchmark_failed() ? status_failed : 0;
 }
 
@@ -74,8 +75,6 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const geolloyd::Error& error) {
     return complain(status_bad_input, error.what());
-  } catch (const geolloyd::Interrupted&) {
-    return status_interrupted;
   } catch (const std::exception& error) {
     return complain(status_failed, error.what());
   }

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Draws the result files of geolloyd compare, profile and batch, once for light pages and once for dark ones."""
+"""Draws the result files of geolloyd compare, profile and batch, for light pages and for dark ones."""
 
 import argparse
 import importlib
 import os
 import sys
+import warnings
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # leaves nothing in the source tree
@@ -29,6 +30,7 @@ def use_matplotlib() -> bool:
             os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
         return False
     matplotlib.use("Agg")
+    warnings.filterwarnings("ignore", message="Glyph .* missing")  # names of meshes in any script
     return True
 
 
@@ -63,10 +65,11 @@ def main() -> int:
     if not use_matplotlib():
         print("no picture: matplotlib is missing: apt-get install python3-matplotlib", file=sys.stderr)
         return NO_MATPLOTLIB
+    stem = arguments.output or stem_of(arguments.result)
     try:
-        draw_all(result, arguments.output or stem_of(arguments.result))
+        draw_all(result, stem)
     except OSError as error:
-        print(f"plot.py: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"plot.py: cannot write to {stem.parent}: {error.strerror}", file=sys.stderr)
         return BAD_RESULT
     return 0
 

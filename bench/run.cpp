@@ -48,9 +48,11 @@ void add_benchmark(const std::string& stage, const BenchMesh& mesh, const Settin
   const auto call = [mesh, setting, body = std::move(body),
                      is_verified = false](benchmark::State& state) mutable {
     Run run(state, mesh, setting, is_verified);
-    leave_if_interrupted();
     try {
+      leave_if_interrupted();
       body(run);
+    } catch (const Interrupted&) {
+      state.SkipWithError("interrupted");
     } catch (const std::exception& error) {
       run.fail(error.what());
     }

@@ -9,12 +9,15 @@ from pathlib import Path
 Row = list[str]
 
 
-def read_published() -> dict[tuple[str, str, int], dict[str, float]]:
-    """Seconds by (mesh, graph, seeds), then by source."""
-    table: dict[tuple[str, str, int], dict[str, float]] = {}
+Published = dict[tuple[str, int, str, int], dict[str, float]]
+
+
+def read_published() -> Published:
+    """Seconds by (mesh, triangles, graph, seeds), then by source."""
+    table: Published = {}
     lines = (Path(__file__).parent / "published.csv").read_text().splitlines()
     for row in csv.DictReader(line for line in lines if not line.startswith("#")):
-        key = (row["mesh"], row["graph"], int(row["seeds"]))
+        key = (row["mesh"], int(row["triangles"]), row["graph"], int(row["seeds"]))
         table.setdefault(key, {})[row["source"]] = float(row["seconds"])
     return table
 
@@ -56,11 +59,12 @@ def machine_line(result: dict) -> str:
     return f"{machine['processor']}, {machine['threads']} threads at once, {machine['compiler']}"
 
 
-def published_for(published: dict, result: dict, seeds: int, graph: str, source: str) -> float | None:
-    return published.get((mesh_name(result), graph, seeds), {}).get(source)
+def published_for(published: Published, result: dict, graph: str, seeds: int, source: str) -> float | None:
+    key = (mesh_name(result), result["mesh"]["triangles"], graph, seeds)
+    return published.get(key, {}).get(source)
 
 
-def comparison_tables(folder: Path, published: dict) -> None:
+def comparison_tables(folder: Path, published: Published) -> None:
     """Reference against parallel, by mesh and graph, beside what is published."""
     rows = []
     for result in results(folder, "compare-*/compare.json"):
@@ -75,10 +79,7 @@ def comparison_tables(folder: Path, published: dict) -> None:
         graph = options["graph"] + ("-anisotropic" if options["vfield"] else "")
         seeds = options["seeds"]
         given = "given" if options["seeds_file"] else options["init"]
-        known = [
-            published_for(published, result, seeds, graph, source) if given == "given" else None
-            for source in ("original", "thesis")
-        ]
+        original = published_for(published, result, graph, seeds, "original") if given == "given" else None
         rows.append([
             f"{mesh_name(result)}, {graph}, {seeds} {given}",
             f"{steps['greedy']}, {steps['macro']}, {steps['micro']}",
@@ -90,19 +91,20 @@ def comparison_tables(folder: Path, published: dict) -> None:
             f"{most['node_visits_per_second'] * 1e-6:.1f}",
             f"{most['peak_memory_bytes'] * 1e-6:.0f}",
             "equal" if all(r["equal"] for r in runs) else "DIFFERENT",
-            *(f"{duration(k)}: {ratio(k, best)}" if k else "" for k in known),
+            duration(original),
+            ratio(original, best),
         ])
     print_table(
         "Reference and parallel engine",
         ["mesh, graph, seeds", "steps", "reference", "1 thread", "parallel (threads)", "ratio", "efficiency",
-         "M visits/s", "MB", "results", "original: ratio", "thesis: ratio"],
+         "M visits/s", "MB", "results", "original", "original / parallel"],
         rows,
     )
 
 
 def frontier_table(folder: Path) -> None:
     rows = []
-    for result in results(folder, "compare-frontiers/compare.json"):
+    for result in results(folder, "frontiers/compare.json"):
         for run in result["runs"]:
             rows.append([
                 run["frontier"] or "reference",
@@ -123,14 +125,14 @@ def share_in(profile: dict, phase: str) -> tuple[str, str]:
     return "", ""
 
 
-def ladder_table(folder: Path, published: dict) -> None:
+def ladder_table(folder: Path, published: Published) -> None:
     """Both engines by number of seeds, and Dijkstra's share."""
     rows = []
     found = results(folder, "profile-*/profile.json")
     for result in sorted(found, key=lambda r: r["options"]["seeds"]):
         reference, parallel = result["profiles"]
         seeds = result["options"]["seeds"]
-        thesis = published_for(published, result, seeds, result["options"]["graph"], "thesis")
+        thesis = published_for(published, result, result["options"]["graph"], seeds, "thesis")
         cells = [str(seeds), duration(reference["seconds"]), duration(parallel["seconds"]),
                  ratio(reference["seconds"], parallel["seconds"])]
         for profile in (reference, parallel):
@@ -140,19 +142,19 @@ def ladder_table(folder: Path, published: dict) -> None:
         cells.append(ratio(thesis, parallel["seconds"]))
         rows.append(cells)
     if found:
-        title = f"By number of random seeds, {mesh_name(found[0])}; with times of phases, and Dijkstra's share in them"
+        title = f"By number of random seeds, {mesh_name(found[0])}, single runs; times of phases, and Dijkstra's share in them"
         print_table(title, ["seeds", "reference", "parallel", "ratio", "reference, greedy", "precise",
                             "parallel, greedy", "precise", "thesis", "thesis / parallel"], rows)
 
 
-def batch_table(folder: Path, published: dict) -> None:
+def batch_table(folder: Path, published: Published) -> None:
     """The plane, both engines."""
     by_key: dict[tuple[str, int], list] = {}
     for result in results(folder, "batch-plane-*/batch.json"):
         for row in result["rows"]:
             cells = by_key.setdefault((row["graph"], row["seeds"]), [None, None, None])
             cells[0 if result["options"]["engine"] == "reference" else 1] = row["seconds"]["avg"]
-            cells[2] = published.get(("plane", row["graph"], row["seeds"]), {}).get("thesis")
+            cells[2] = published_for(published, result, row["graph"], row["seeds"], "thesis")
     rows = [
         [graph, str(seeds), duration(reference), duration(parallel), ratio(reference, parallel),
          duration(thesis), ratio(thesis, parallel)]
@@ -168,7 +170,7 @@ def stage_of(name: str) -> tuple[str, str, str]:
     parts = name.removesuffix("/manual_time").split("/")
     delta = parts.pop().removeprefix("delta:") if parts[-1].startswith("delta:") else ""
     threads = parts.pop().removeprefix("threads:")
-    mesh = next(i for i, part in enumerate(parts) if i > 0 and (part.endswith(".ply") or "creature-" in part))
+    mesh = next(i for i, part in enumerate(parts) if i > 0 and ("." in part or "creature-" in part))
     del parts[mesh]
     return "/".join(parts), threads, delta
 

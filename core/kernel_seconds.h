@@ -10,7 +10,7 @@ struct KernelSeconds {
   double free_search = 0;    ///< keys and parents, regions free
   double locked_search = 0;  ///< keys and parents, regions locked
   double subtree_sums = 0;
-  double scoring = 0;
+  double scoring = 0;  ///< in engines that find digests of nodes with the scores, those too
   double movement = 0;
   double gathering = 0;  ///< which nodes are a region's; copying regions out and back
   double other = 0;
@@ -32,7 +32,8 @@ inline double total(const KernelSeconds& seconds) {
 /// What was added since `before`, and as `other` what is missing to `elapsed`.
 inline KernelSeconds since(const KernelSeconds& before, KernelSeconds now, double elapsed) {
   for (const auto kernel : kernels) now.*kernel -= before.*kernel;
-  now.other += std::max(0.0, elapsed - total(now));  // rounding may leave less than nothing
+  now.other += elapsed - total(now);
+  if (now.other > -1e-9) now.other = std::max(now.other, 0.0);  // rounding
   return now;
 }
 

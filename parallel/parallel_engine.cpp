@@ -117,8 +117,8 @@ class ParallelEngine final : public Engine {
   // Moves `seed` to where it rests and returns in how many moves.
   std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
                               RegionSolver& solver) {
-    solver.gather(graph_, free_.partition().key, free_.members().of(r), local_of_);
-    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended, shared);
+    solver.gather(graph_, free_.partition().key, free_.members().of(r), local_of_, shared);
+    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended);
     if (rest != seed) solver.scatter_keys(r, free_.keys());
     seed = rest;
     return moves;

@@ -10,17 +10,20 @@
 namespace geolloyd {
 
 void RegionSolver::gather(const Graph& graph, const std::vector<Key>& keys,
-                          std::span<const NodeId> nodes, std::vector<NodeId>& local_of) {
-  laps_.begin(weight_of_time(nodes.size()));
+                          std::span<const NodeId> nodes, std::vector<NodeId>& local_of,
+                          Scheduler* shared) {
+  laps_.begin(weight_of_time(nodes.size(), shared));
   copy_region(graph, keys, nodes, local_of, local_);
+  shared_ = shared != nullptr ? std::make_unique<SharedSearch>(*shared, local_.graph) : nullptr;
   laps_.end(seconds_.gathering);
 }
 
-// Small regions are settled in little more time than it takes to measure that, so every eighth of
-// them stands for all.
-double RegionSolver::weight_of_time(std::size_t nodes) {
+// Counts the time of all threads. Small regions are settled in little more time than it takes to
+// measure that, so every eighth of them stands for all.
+double RegionSolver::weight_of_time(std::size_t nodes, const Scheduler* shared) {
   constexpr std::size_t small = 512;
   constexpr std::size_t every = 8;
+  if (shared != nullptr) return static_cast<double>(shared->threads());
   if (nodes >= small) return 1;
   return small_regions_++ % every == 0 ? every : 0;
 }
@@ -32,10 +35,8 @@ void RegionSolver::scatter_keys(RegionId region, std::vector<Key>& keys) {
   laps_.end(seconds_.gathering);
 }
 
-RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended,
-                                          Scheduler* shared) {
+RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
   extended_ = extended;
-  shared_ = shared != nullptr ? std::make_unique<SharedSearch>(*shared, local_.graph) : nullptr;
   const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
   auto at = static_cast<NodeId>(place - local_.node.begin());
   begin(at, score);
@@ -101,15 +102,18 @@ void RegionSolver::move_keys_to(NodeId node) {
 }
 
 void RegionSolver::find_sums() {
+  const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
+  if (shared_) {
+    shared_->derive_parents(local_.partition);
+  } else {
+    derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
+  }
+  laps_.end(seconds_.locked_search);
   if (shared_) {
     shared_->find_sums(stand_, local_.partition, branch_of_, sums_);
-    laps_.end(seconds_.subtree_sums);
-    return;
+  } else {
+    find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
   }
-  const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
-  derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
-  laps_.end(seconds_.locked_search);
-  find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
   laps_.end(seconds_.subtree_sums);
 }
 

@@ -39,13 +39,13 @@ class RegionSolver {
   /// `goes_on` is asked before each move; once it returns false the work ends.
   explicit RegionSolver(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
 
-  /// Takes a copy of the region (local_region.h).
+  /// Takes a copy of a region (local_region.h), to work on with all threads of `shared`, or alone
+  /// where that is null.
   void gather(const Graph& graph, const std::vector<Key>& keys, std::span<const NodeId> nodes,
-              std::vector<NodeId>& local_of);
+              std::vector<NodeId>& local_of, Scheduler* shared);
   /// Of the region gathered last, from `seed`, whose keys and score these are. If it may not go on
-  /// until the seed rests, that is anywhere. With all threads of `shared`, or alone where that is
-  /// null.
-  Outcome solve(NodeId seed, Score score, bool extended, Scheduler* shared);
+  /// until the seed rests, that is anywhere.
+  Outcome solve(NodeId seed, Score score, bool extended);
   /// Writes back the keys of where the seed is now; other threads may be reading those of others.
   void scatter_keys(RegionId region, std::vector<Key>& keys);
 
@@ -62,7 +62,7 @@ class RegionSolver {
     NodeId node;
   };
 
-  double weight_of_time(std::size_t nodes);
+  double weight_of_time(std::size_t nodes, const Scheduler* shared);
   void begin(NodeId seed, Score score);
   void stand_at(NodeId node);
   void move_keys_to(NodeId node);

@@ -38,11 +38,15 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
   delta_stepping_.repair(members_, pieces_, keys_, is_changed);
 }
 
-void SharedSearch::find_sums(NodeId stand, Partition& partition, BranchOf& branch_of,
-                             SubtreeSums& sums) {
+void SharedSearch::derive_parents(Partition& partition) {
   for_items(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
-    derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]), partition.parent);
+    geolloyd::derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]),
+                             partition.parent);
   });
+}
+
+void SharedSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
+                             SubtreeSums& sums) {
   find_branches(scheduler_, graph_, {&stand, 1}, partition, members_, pieces_, branch_of, sums);
 }
 

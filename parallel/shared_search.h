@@ -22,8 +22,10 @@ class SharedSearch {
   /// Distances from `source`, given those from `stand` and its branches (branches.h).
   void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
 
-  /// Parents around `stand`, its branches, and the subtree sums at its neighbours.
-  void find_sums(NodeId stand, Partition& partition, BranchOf& branch_of, SubtreeSums& sums);
+  /// Parents of `partition` from its keys.
+  void derive_parents(Partition& partition);
+  /// The branches of `stand`, and the subtree sums at its neighbours.
+  void find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of, SubtreeSums& sums);
 
   // Of the last run:
   [[nodiscard]] NodeId source() const { return source_; }

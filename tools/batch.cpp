@@ -78,6 +78,8 @@ std::vector<std::size_t> seed_ladder(const std::vector<std::string>& items) {
       if (k > last / 2) break;
     }
   }
+  std::sort(ladder.begin(), ladder.end());
+  ladder.erase(std::unique(ladder.begin(), ladder.end()), ladder.end());
   return ladder;
 }
 

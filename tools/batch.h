@@ -52,8 +52,8 @@ struct BatchRow {
 
 Json row_json(const BatchRow& row);
 
-/// Numbers of seeds from a list like "4,16..128,1000", where 16..128 stands for 16, 32, 64, 128.
-/// Throws InvalidInput.
+/// Numbers of seeds from a list like "4,16..128,1000", where 16..128 stands for 16, 32, 64, 128;
+/// ascending, each once. Throws InvalidInput.
 std::vector<std::size_t> seed_ladder(const std::vector<std::string>& items);
 
 }  // namespace geolloyd

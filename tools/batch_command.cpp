@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -66,6 +67,13 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
   return starts;
 }
 
+// Before any work: are there enough vertices everywhere?
+void check_starts(const std::vector<Start>& starts, const Mesh& mesh, const MeshEdges& edges,
+                  Scheduler& scheduler) {
+  const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, {});
+  for (const Start& start : starts) seeds_at_triangles(mesh, made, start.places);
+}
+
 // All there are for one graph and number of seeds.
 std::vector<BatchRow> empty_rows(const BatchArguments& a, const std::string& graph,
                                  std::size_t seeds) {
@@ -96,13 +104,15 @@ class Batches {
           ProgressLine& progress)
       : arguments_(arguments), run_(run), scheduler_(scheduler), progress_(progress) {}
 
-  std::vector<BatchRow> run() {
+  /// Calls `save` with all rows so far after each graph and number of seeds.
+  std::vector<BatchRow> run(const std::function<void(const std::vector<BatchRow>&)>& save) {
     const std::vector<std::size_t> ladder = seed_ladder(arguments_.seeds);
     progress_.stage("reading " + run_.arguments.mesh.string());
     const MeshEdges edges = load_mesh(run_, scheduler_);
     check(ladder);
     progress_.stage("choosing seeds");
     starts_ = choose_starts(arguments_, ladder, run_.input.mesh, edges, scheduler_);
+    check_starts(starts_, run_.input.mesh, edges, scheduler_);
     catch_interrupts();  // before the folder appears, which tells others that it is done
     prepare_output(arguments_.output, "batch", run_.arguments);
     std::vector<BatchRow> rows;
@@ -112,6 +122,7 @@ class Batches {
       build_graph(run_, scheduler_, edges);
       for (const std::size_t k : ladder) {
         for (BatchRow& row : run_from(graph, k)) rows.push_back(row);
+        save(rows);
         if (interrupted()) return rows;
       }
     }
@@ -144,12 +155,15 @@ class Batches {
   void run_one(BatchRow& row, const Start& start, const std::vector<NodeId>& first) {
     const Configuration& c = row.configuration;
     const RelaxArguments& a = arguments_.relax;
-    progress_.part(fmt::format("{}, {}, batch {}, {}:", c.graph, counted(c.seeds, "seed", "seeds"),
-                               start.batch, c.greedy));
+    progress_.part(fmt::format("{}, {}, batch {}, {}, skips {} {}:", c.graph,
+                               counted(c.seeds, "seed", "seeds"), start.batch, c.greedy,
+                               name_of(switch_names, c.macrostep_skip),
+                               name_of(switch_names, c.microstep_skip)));
     const MeasuredRun measured = measure_run(
         value_of(engine_names, a.engine), value_of(frontier_names, a.frontier), scheduler_,
         run_.mesh_graph.graph, first, options_of(a, c), watcher(progress_, first.size()));
-    if (!interrupted()) row.add(measured.relaxation, measured.seconds);
+    if (measured.relaxation.end == End::interrupted) return;
+    row.add(measured.relaxation, measured.seconds);
   }
 
   const BatchArguments& arguments_;
@@ -160,15 +174,16 @@ class Batches {
 };
 
 std::string table_of(const std::vector<BatchRow>& rows) {
-  TextTable table({"graph", "greedy", "macro skip", "micro skip", "seeds", "time", "from", "to",
-                   "greedy steps", "macrosteps", "microsteps", "energy"},
+  TextTable table({"graph", "greedy", "macro skip", "micro skip", "seeds", "batches", "mean time",
+                   "from", "to", "greedy steps", "macrosteps", "microsteps", "energy"},
                   4);
   const auto on = [](bool value) { return value ? "on" : "off"; };
   for (const BatchRow& row : rows) {
     const Configuration& c = row.configuration;
     table.add({c.graph, c.greedy, on(c.macrostep_skip), on(c.microstep_skip), grouped(c.seeds),
-               duration_text(row.seconds.mean()), duration_text(row.seconds.min()),
-               duration_text(row.seconds.max()), fmt::format("{:.1f}", row.greedy_steps.mean()),
+               std::to_string(row.batches), duration_text(row.seconds.mean()),
+               duration_text(row.seconds.min()), duration_text(row.seconds.max()),
+               fmt::format("{:.1f}", row.greedy_steps.mean()),
                fmt::format("{:.1f}", row.macrosteps.mean()),
                fmt::format("{:.1f}", row.microsteps.mean()),
                fmt::format("{:.6g}", row.energy.mean())});
@@ -176,8 +191,8 @@ std::string table_of(const std::vector<BatchRow>& rows) {
   return table.text();
 }
 
-Json result_of(const BatchArguments& a, const RunRecord& run, std::size_t threads,
-               const Json& rows) {
+Json result_of(const BatchArguments& a, const RunRecord& run, std::size_t threads, const Json& rows,
+               bool is_complete) {
   const bool parallel = value_of(engine_names, a.relax.engine) == EngineKind::parallel;
   Json result = begin_result("batch", run);
   result["options"] = options_part(run.arguments, 0);
@@ -191,28 +206,38 @@ Json result_of(const BatchArguments& a, const RunRecord& run, std::size_t thread
                                 {"threads", parallel ? threads : 1},
                                 {"frontier", parallel ? Json(a.relax.frontier) : Json(nullptr)},
                                 {"backend", parallel ? Json(a.relax.backend) : Json(nullptr)}});
-  result["interrupted"] = interrupted();
+  result["interrupted"] = !is_complete;
   result["rows"] = rows;
   return result;
 }
 
-void run_batch(const BatchArguments& arguments) {
+void run_batch(BatchArguments& arguments) {
+  for (auto* list : {&arguments.graphs, &arguments.greedy, &arguments.macrostep_skip,
+                     &arguments.microstep_skip}) {
+    drop_repeats(*list);
+  }
   RunRecord run;
   run.arguments = arguments.relax;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(run.arguments);
-  const std::vector<BatchRow> rows = Batches(arguments, run, scheduler, progress).run();
+  const auto save = [&](const std::vector<BatchRow>& rows, bool is_complete) {
+    Json json = Json::array();
+    for (const BatchRow& row : rows) json.push_back(row_json(row));
+    save_result(arguments.output, "batch", json,
+                result_of(arguments, run, scheduler.threads(), json, is_complete));
+  };
+  const std::vector<BatchRow> rows =
+      Batches(arguments, run, scheduler, progress).run([&](const std::vector<BatchRow>& so_far) {
+        save(so_far, false);
+      });
+  save(rows, !interrupted());
   progress.clear();
   fmt::print("{}: {}, {}\n", run.arguments.mesh.string(),
              counted(run.facts.vertices, "vertex", "vertices"),
              counted(run.facts.triangles, "triangle", "triangles"));
   print_machine();
-  fmt::print("{}\nmeans of {}, {} engine\n", table_of(rows),
-             counted(arguments.batches, "batch", "batches"), arguments.relax.engine);
-  Json json = Json::array();
-  for (const BatchRow& row : rows) json.push_back(row_json(row));
-  write_result(arguments.output, "batch", json,
-               result_of(arguments, run, scheduler.threads(), json));
+  fmt::print("{}\nmeans over batches, {} engine\n", table_of(rows), arguments.relax.engine);
+  finish_experiment(arguments.output, "batch");
   if (interrupted()) throw InterruptedExit{};
 }
 

@@ -47,42 +47,47 @@ std::string plain(std::optional<double> value) {
 }
 
 std::string table_of(const Comparison& comparison) {
-  TextTable table(
-      {"", "time", "from", "to", "M visits/s", "speed-up", "efficiency", "MB", "fingerprint", ""},
-      1);
-  const auto visits = static_cast<double>(count_steps(comparison.relaxation).node_visits);
+  TextTable table({"", "turns", "median", "from", "to", "M visits/s", "speed-up", "efficiency",
+                   "MB", "fingerprint", ""},
+                  1);
+  const auto visits = static_cast<double>(comparison.steps.node_visits);
   for (const Contender& c : comparison.contenders) {
-    table.add({title_of(c), duration_text(c.median()), duration_text(c.seconds.front()),
-               duration_text(c.seconds.back()), fmt::format("{:.2f}", visits / c.median() * 1e-6),
-               plain(comparison.speedup(c)), plain(comparison.efficiency(c)),
+    table.add({title_of(c), std::to_string(c.seconds.size()), duration_text(c.median()),
+               duration_text(c.seconds.front()), duration_text(c.seconds.back()),
+               fmt::format("{:.2f}", visits / c.median() * 1e-6), plain(comparison.speedup(c)),
+               plain(comparison.efficiency(c)),
                fmt::format("{:.0f}", static_cast<double>(c.peak_memory_bytes) * 1e-6),
                fingerprint_text(c.fingerprint), comparison.is_equal(c) ? "equal" : "DIFFERENT"});
   }
   return table.text();
 }
 
-void print_comparison(const RunRecord& run, const Comparison& comparison) {
-  const StepCounts steps = count_steps(comparison.relaxation);
-  print_heading(run, comparison.relaxation.seeds.size());
+void print_comparison(const RunRecord& run, std::size_t seeds, const Comparison& comparison) {
+  const StepCounts& steps = comparison.steps;
+  print_heading(run, seeds);
   fmt::print("{}\n", table_of(comparison));
-  fmt::print("{}, {} of {}, {} by definition; times are medians of the turns\n",
+  fmt::print("{}, {} of {}, {} by definition\n",
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"),
              counted(steps.node_visits, "node visit", "node visits"));
 }
 
-Json result_of(const RunRecord& run, const Comparison& comparison, const Json& rows) {
+Json result_of(const RunRecord& run, std::size_t seeds, const Comparison& comparison,
+               const Json& rows) {
   Json result = begin_result("compare", run);
-  result["options"] = options_part(run.arguments, comparison.relaxation.seeds.size());
+  result["options"] = options_part(run.arguments, seeds);
   result["interrupted"] = interrupted();
   result["graph"] = graph_part(run.mesh_graph.graph, run.components);
-  result["steps"] = steps_part(comparison.relaxation);
+  result["steps"] = steps_part(comparison.steps);
   result["runs"] = rows;
   return result;
 }
 
-void run_compare(const CompareArguments& arguments) {
+void run_compare(CompareArguments& arguments) {
+  drop_repeats(arguments.threads);
+  drop_repeats(arguments.frontiers);
+  drop_repeats(arguments.backends);
   check_arguments(arguments.relax);
   RunRecord run;
   run.arguments = arguments.relax;
@@ -98,10 +103,12 @@ void run_compare(const CompareArguments& arguments) {
       compare(contenders_of(arguments), arguments.turns, run.mesh_graph.graph, seeds,
               relaxation_options(arguments.relax), progress);
   progress.clear();
-  if (comparison.contenders.empty()) throw InterruptedExit{};
-  print_comparison(run, comparison);
-  const Json rows = rows_of(comparison);
-  write_result(arguments.output, "compare", rows, result_of(run, comparison, rows));
+  if (!comparison.contenders.empty()) {
+    const Json rows = rows_of(comparison);
+    save_result(arguments.output, "compare", rows, result_of(run, seeds.size(), comparison, rows));
+    print_comparison(run, seeds.size(), comparison);
+  }
+  finish_experiment(arguments.output, "compare");
   for (const Contender& c : comparison.contenders) {
     if (!comparison.is_equal(c)) {
       throw std::runtime_error(title_of(c) +
@@ -140,7 +147,7 @@ void add_compare_command(CLI::App& program) {
       ->capture_default_str()
       ->group(group);
   command->add_option("--turns", a->turns, "How often each is timed; the reference once")
-      ->check(CLI::Validator(CLI::Range(1, 1000)).description(""))
+      ->check(CLI::Validator(CLI::Range(1, 1'000'000)).description(""))
       ->type_name("NUMBER")
       ->capture_default_str()
       ->group(group);

@@ -13,10 +13,10 @@
 namespace geolloyd {
 namespace {
 
-void note(MeasuredRun measured, Contender& c, Comparison& comparison) {
+// Keeps nothing large: it would count as memory of the next.
+void note(const MeasuredRun& measured, Contender& c, std::uint64_t right) {
   const std::uint64_t fingerprint = measured.relaxation.fingerprint;
-  if (comparison.relaxation.steps.empty()) comparison.relaxation = std::move(measured.relaxation);
-  if (c.seconds.empty() || comparison.is_equal(c)) c.fingerprint = fingerprint;
+  if (c.seconds.empty() || c.fingerprint == right) c.fingerprint = fingerprint;
   c.seconds.insert(std::upper_bound(c.seconds.begin(), c.seconds.end(), measured.seconds),
                    measured.seconds);
   c.peak_memory_bytes = std::max(c.peak_memory_bytes, measured.peak_memory_bytes);
@@ -47,15 +47,17 @@ Comparison compare(std::vector<Contender> contenders, std::size_t turns, const G
                    const std::vector<NodeId>& seeds, const RelaxationOptions& options,
                    ProgressLine& progress) {
   Comparison comparison;
+  comparison.nodes = graph.node_count();
   for (std::size_t turn = 1; turn <= turns && !interrupted(); ++turn) {
     for (Contender& c : contenders) {
       if (turn > 1 && !is_parallel(c)) continue;
       progress.part(fmt::format("{}, turn {} of {}:", title_of(c), turn, turns));
       Scheduler scheduler(c.threads, c.backend);
-      MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds, options,
-                                         watcher(progress, seeds.size()));
-      if (interrupted()) break;
-      note(std::move(measured), c, comparison);
+      const MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds,
+                                               options, watcher(progress, seeds.size()));
+      if (measured.relaxation.end == End::interrupted) break;
+      if (contenders.front().seconds.empty()) comparison.steps = count_steps(measured.relaxation);
+      note(measured, c, contenders.front().fingerprint);
     }
   }
   std::erase_if(contenders, [](const Contender& c) { return c.seconds.empty(); });
@@ -70,9 +72,8 @@ std::string title_of(const Contender& c) {
 }
 
 Json rows_of(const Comparison& comparison) {
-  const Relaxation& relaxation = comparison.relaxation;
-  const auto nodes = static_cast<double>(relaxation.partition.key.size());
-  const auto visits = static_cast<double>(count_steps(relaxation).node_visits);
+  const auto nodes = static_cast<double>(comparison.nodes);
+  const auto visits = static_cast<double>(comparison.steps.node_visits);
   Json rows = Json::array();
   for (const Contender& c : comparison.contenders) {
     const bool parallel = is_parallel(c);

@@ -21,19 +21,22 @@ struct Contender {
 
   std::vector<double> seconds;  ///< of each turn, ascending
   std::uint64_t peak_memory_bytes = 0;
-  std::uint64_t fingerprint = 0;  ///< of the first turn that differs from the first contender's
+  std::uint64_t fingerprint = 0;  ///< of the first turn, or of the first that differs from it
 
-  [[nodiscard]] double median() const { return seconds[(seconds.size() - 1) / 2]; }
+  [[nodiscard]] double median() const {
+    return (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]) / 2;
+  }
 };
 
 /// The same relaxation in several ways. The first of them says what is right; it is the reference
 /// engine unless that was left out.
 struct Comparison {
   std::vector<Contender> contenders;  ///< those with results
-  Relaxation relaxation;              ///< the first one's
+  StepCounts steps;
+  std::size_t nodes = 0;
 
   [[nodiscard]] bool is_equal(const Contender& c) const {
-    return c.fingerprint == relaxation.fingerprint;
+    return c.fingerprint == contenders.front().fingerprint;
   }
   /// Against the reference engine.
   [[nodiscard]] std::optional<double> speedup(const Contender& c) const;

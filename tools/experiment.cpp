@@ -41,15 +41,19 @@ Json begin_result(const std::string& command, const RunRecord& run) {
             {"triangles", run.facts.triangles}}}};
 }
 
-void write_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
-                  const Json& result) {
+void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                 const Json& result) {
   if (output.folder.empty()) return;
-  const std::filesystem::path csv = output.folder / (name + ".csv");
+  write_text_file(output.folder / (name + ".csv"), csv_text(rows));
+  write_text_file(output.folder / (name + ".json"), json_text(result));
+}
+
+void finish_experiment(const ExperimentOutput& output, const std::string& name) {
+  if (interrupted()) fmt::print("\nINTERRUPTED: this is only a part\n");
   const std::filesystem::path json = output.folder / (name + ".json");
-  write_text_file(csv, csv_text(rows));
-  write_text_file(json, json_text(result));
-  fmt::print("\n{}\n{}\n", csv.string(), json.string());
-  if (!output.no_plot && !rows.empty()) draw_plot(json);
+  if (output.folder.empty() || !std::filesystem::exists(json)) return;
+  fmt::print("\n{}\n{}\n", (output.folder / (name + ".csv")).string(), json.string());
+  if (!output.no_plot) draw_plot(json);
 }
 
 Observer watcher(ProgressLine& progress, std::size_t seeds) {
@@ -60,7 +64,8 @@ Observer watcher(ProgressLine& progress, std::size_t seeds) {
 }
 
 std::string duration_text(double seconds) {
-  return seconds < 1 ? fmt::format("{:.4g} ms", seconds * 1e3) : fmt::format("{:.4g} s", seconds);
+  if (seconds < 1) return fmt::format("{:.4g} ms", seconds * 1e3);
+  return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
 void print_heading(const RunRecord& run, std::size_t seeds) {

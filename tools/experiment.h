@@ -1,8 +1,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/progress.h"
 #include "tools/report_parts.h"
@@ -26,9 +29,22 @@ void prepare_output(const ExperimentOutput& output, const std::string& name,
 /// The beginning of a result file: program, command, machine, mesh.
 Json begin_result(const std::string& command, const RunRecord& run);
 
-/// Writes NAME.csv, which holds `rows`, and NAME.json, draws that, and prints what was written.
-void write_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
-                  const Json& result);
+/// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
+void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                 const Json& result);
+
+/// Says what was written and draws it. Says so, too, if an interrupt came.
+void finish_experiment(const ExperimentOutput& output, const std::string& name);
+
+/// Leaves the first of equals.
+template <class Value>
+void drop_repeats(std::vector<Value>& list) {
+  std::vector<Value> kept;
+  for (const Value& value : list) {
+    if (std::find(kept.begin(), kept.end(), value) == kept.end()) kept.push_back(value);
+  }
+  list = std::move(kept);
+}
 
 /// Says on the terminal how far a relaxation is, and ends it when an interrupt came.
 Observer watcher(ProgressLine& progress, std::size_t seeds);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -29,16 +30,6 @@ struct EngineProfile {
   MeasuredRun run;
 };
 
-// The kernels as people call them.
-constexpr std::array<std::pair<const char*, double KernelSeconds::*>, kernels.size()> kernel_titles{
-    {{"free partition", &KernelSeconds::free_search},
-     {"locked search", &KernelSeconds::locked_search},
-     {"subtree sums", &KernelSeconds::subtree_sums},
-     {"scoring", &KernelSeconds::scoring},
-     {"movement", &KernelSeconds::movement},
-     {"gathering", &KernelSeconds::gathering},
-     {"other", &KernelSeconds::other}}};
-
 std::string title_of(const EngineProfile& profile) {
   return fmt::format("{}, {}", name_of(engine_names, profile.engine),
                      counted(profile.threads, "thread", "threads"));
@@ -52,7 +43,7 @@ std::string table_of(const EngineProfile& profile) {
   const PhaseProfile greedy = profile_of(profile.run.relaxation, Phase::greedy);
   const PhaseProfile precise = profile_of(profile.run.relaxation, Phase::precise);
   TextTable table({title_of(profile), "greedy", "", "precise", "", "both", ""}, 1);
-  const auto add = [&](const char* title, double in_greedy, double in_precise) {
+  const auto add = [&](const std::string& title, double in_greedy, double in_precise) {
     const double greedy_all = total(greedy.seconds);
     const double precise_all = total(precise.seconds);
     table.add({title, duration_text(in_greedy), share_text(in_greedy, greedy_all),
@@ -60,7 +51,9 @@ std::string table_of(const EngineProfile& profile) {
                duration_text(in_greedy + in_precise),
                share_text(in_greedy + in_precise, greedy_all + precise_all)});
   };
-  for (const auto& [title, kernel] : kernel_titles) {
+  for (const auto& [name, kernel] : kernel_names) {
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
     add(title, greedy.seconds.*kernel, precise.seconds.*kernel);
   }
   add("all", total(greedy.seconds), total(precise.seconds));
@@ -72,7 +65,7 @@ std::string table_of(const EngineProfile& profile) {
 
 // The one line people look for.
 std::string search_line(const EngineProfile& profile) {
-  std::string line = "Dijkstra (free partition and locked search) in the " +
+  std::string line = "Dijkstra (free search and locked search) in the " +
                      name_of(engine_names, profile.engine) + " engine:";
   const char* separator = " ";
   for (const auto& [name, phase] : phase_names) {
@@ -89,7 +82,9 @@ void print_profiles(const RunRecord& run, const std::vector<EngineProfile>& prof
   const StepCounts steps = count_steps(relaxation);
   print_heading(run, relaxation.seeds.size());
   for (const EngineProfile& profile : profiles) fmt::print("{}\n", table_of(profile));
-  for (const EngineProfile& profile : profiles) fmt::print("{}\n", search_line(profile));
+  for (const EngineProfile& profile : profiles) {
+    if (!profile.run.relaxation.steps.empty()) fmt::print("{}\n", search_line(profile));
+  }
   fmt::print("{}, {} of {}; step by step in the files of --output\n",
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
@@ -125,7 +120,7 @@ void write_profiles(const ProfileArguments& arguments, const RunRecord& run,
       rows.back().update(step);
     }
   }
-  write_result(arguments.output, "profile", rows, result);
+  save_result(arguments.output, "profile", rows, result);
 }
 
 std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const RunRecord& run,
@@ -145,7 +140,8 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
   return profiles;
 }
 
-void run_profile(const ProfileArguments& arguments) {
+void run_profile(ProfileArguments& arguments) {
+  drop_repeats(arguments.engines);
   check_arguments(arguments.relax);
   RunRecord run;
   run.arguments = arguments.relax;
@@ -156,8 +152,9 @@ void run_profile(const ProfileArguments& arguments) {
   prepare_output(arguments.output, "profile", arguments.relax);
   const auto profiles = profile_engines(arguments, run, seeds, scheduler, progress);
   progress.clear();
-  print_profiles(run, profiles);
   write_profiles(arguments, run, profiles);
+  print_profiles(run, profiles);
+  finish_experiment(arguments.output, "profile");
   if (interrupted()) throw InterruptedExit{};
   if (profiles.front().run.relaxation.fingerprint != profiles.back().run.relaxation.fingerprint) {
     throw std::runtime_error(

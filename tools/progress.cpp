@@ -23,6 +23,7 @@ std::string bar(std::size_t moving, std::size_t seeds) {
 ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void ProgressLine::stage(const std::string& what) {
+  part_.clear();
   print(what + " ...");
 }
 

@@ -15,7 +15,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { clear(); }
 
-  /// What all that follows is part of, to be named first.
+  /// What all that follows is part of, until the next stage; to be named first.
   void part(const std::string& what) { part_ = what + "  "; }
   /// What is being done, where no steps can be counted.
   void stage(const std::string& what);

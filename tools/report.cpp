@@ -70,7 +70,7 @@ Json make_report(const RunRecord& run) {
   report["graph"] = graph_part(run.mesh_graph.graph, run.components);
   report["end"] = name_of(end_names, relaxation.end);
   report["interrupted"] = relaxation.end == End::interrupted;
-  report["steps"] = steps_part(relaxation);
+  report["steps"] = steps_part(count_steps(relaxation));
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;
   report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);

@@ -35,8 +35,7 @@ Json graph_part(const Graph& graph, std::size_t components) {
           {"tick_mass", graph.tick_mass}};
 }
 
-Json steps_part(const Relaxation& relaxation) {
-  const StepCounts counts = count_steps(relaxation);
+Json steps_part(const StepCounts& counts) {
   return {{"greedy", counts.greedy},
           {"macro", counts.macro},
           {"micro", counts.micro},

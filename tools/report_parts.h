@@ -15,7 +15,6 @@ using Json = nlohmann::ordered_json;
 
 Json machine_part();
 Json graph_part(const Graph& graph, std::size_t components);
-Json steps_part(const Relaxation& relaxation);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// What was asked for, but for the engine.
 Json options_part(const RelaxArguments& arguments, std::size_t seeds);
@@ -40,5 +39,6 @@ struct StepCounts {
   std::uint64_t node_visits = 0;
 };
 StepCounts count_steps(const Relaxation& relaxation);
+Json steps_part(const StepCounts& counts);
 
 }  // namespace geolloyd

@@ -60,15 +60,23 @@ def switch(name: str, states: list[bool]) -> Coordinate:
     return Coordinate(name, jittered([float(state) for state in states], JITTER), "off", "on")
 
 
-def numeric(name: str, values: list[float], unit: str = "") -> Coordinate:
+def noted(name: str, *remarks: str) -> str:
+    """A name with remarks below, those that are not empty."""
+    said = ", ".join(remark for remark in remarks if remark)
+    return f"{name}\n({said})" if said else name
+
+
+def numeric(name: str, values: list[float], unit: str = "", remark: str = "") -> Coordinate:
     """A coordinate of numbers, from the least to the greatest; logarithmic where they span much."""
     low, high = min(values), max(values)
     if low == high:
-        return Coordinate(name, [0.5] * len(values), "", f"all {number(low)}{unit}")
+        text = number(low) + unit
+        return Coordinate(noted(name, remark), [0.5] * len(values), "", text if len(values) == 1 else f"all {text}")
     logarithmic = low > 0 and high > LOGARITHMIC_FROM * low
     scale = math.log if logarithmic else float
     places = [(scale(value) - scale(low)) / (scale(high) - scale(low)) for value in values]
-    return Coordinate(f"{name} (log)" if logarithmic else name, places, number(low) + unit, number(high) + unit)
+    full_name = noted(name, remark, "log" if logarithmic else "")
+    return Coordinate(full_name, places, number(low) + unit, number(high) + unit)
 
 
 def coordinates_of(rows: list[dict], several_seeds: bool) -> list[Coordinate]:
@@ -77,8 +85,8 @@ def coordinates_of(rows: list[dict], several_seeds: bool) -> list[Coordinate]:
     seeds = numeric("seeds", [row["seeds"] for row in rows])
     seeds.places = jittered(seeds.places, JITTER / 2)
 
-    def average(name: str, key: str, unit: str = "") -> Coordinate:
-        return numeric(name, [row[key]["avg"] for row in rows], unit)
+    def average(name: str, key: str, unit: str = "", remark: str = "") -> Coordinate:
+        return numeric(name, [row[key]["avg"] for row in rows], unit, remark)
 
     return [
         Coordinate("greedy mode", jittered(modes, JITTER)),
@@ -89,7 +97,7 @@ def coordinates_of(rows: list[dict], several_seeds: bool) -> list[Coordinate]:
         average("macrosteps", "macrosteps"),
         average("microsteps", "microsteps"),
         average("time", "seconds", " s"),
-        average("energy", "energy"),
+        average("energy", "energy", remark="mesh units"),
     ]
 
 
@@ -134,8 +142,8 @@ def draw_coordinates(result: dict, theme: Theme) -> Figure:
     graphs = graphs_of(rows)
     several_seeds = len({row["seeds"] for row in rows}) > 1
     parts = [*facts_of(result), "each line: averages of a setting"]
-    figure = page(theme, (WIDTH, PANEL_HEIGHT * len(graphs)), "What greedy modes and optimisations cost and bring", parts,
-                  interruption(result))
+    size = WIDTH, PANEL_HEIGHT * len(graphs)
+    figure = page(theme, size, "What greedy modes and optimisations cost and bring", parts, interruption(result))
     for axes, graph in zip(figure.subplots(len(graphs), 1, squeeze=False)[:, 0], graphs):
         draw_panel(axes, [row for row in rows if row["graph"] == graph], several_seeds, theme)
     return figure
@@ -164,7 +172,8 @@ def ladder_rows(rows: list[dict]) -> list[dict]:
 
 def ladders_of(rows: list[dict], key: str) -> list[list[dict]]:
     """For each graph kind and greedy mode the rows by seeds, if the quantity is ever more than zero in them."""
-    lines = [sorted((row for row in rows if (row["graph"], row["greedy"]) == (graph, mode)), key=lambda row: row["seeds"])
+    rows = sorted(rows, key=lambda row: row["seeds"])
+    lines = [[row for row in rows if (row["graph"], row["greedy"]) == (graph, mode)]
              for graph in graphs_of(rows) for mode in modes_of(rows)]
     return [line for line in lines if any(row[key]["max"] > 0 for row in line)]
 
@@ -206,7 +215,8 @@ def draw_ladder(result: dict, theme: Theme) -> Figure:
     banded = len(ladders_of(rows, "seconds")) <= MOST_BANDS
     parts = [*facts_of({**result, "rows": rows}), optimised,
              "averages, in bands from least to most" if banded else "averages"]
-    figure = page(theme, (WIDTH, 2 * LADDER_PANEL_HEIGHT), "What more seeds cost and bring", parts, interruption(result))
+    size = WIDTH, 2 * LADDER_PANEL_HEIGHT
+    figure = page(theme, size, "What more seeds cost and bring", parts, interruption(result))
     panels = list(figure.subplots(2, 3).flat)
     for axes, key in zip(panels, keys):
         draw_ladder_panel(axes, rows, key, theme)

@@ -1,6 +1,6 @@
 """The picture of geolloyd compare: speed-up over the reference, and time."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -62,13 +62,18 @@ def mark_different(axes: Axes, x: float, y: float, theme: Theme) -> None:
     axes.plot([x], [y], marker="x", markersize=11, markeredgewidth=2.4, color=theme.alarm, zorder=5)
 
 
+def whiskers(middles: Sequence[float], lows: Sequence[float], highs: Sequence[float]) -> list[list[float]]:
+    """Lengths of whiskers to both sides, none where rounding has moved an end past the middle."""
+    return [[max(middle - low, 0) for middle, low in zip(middles, lows)],
+            [max(high - middle, 0) for middle, high in zip(middles, highs)]]
+
+
 def draw_line(axes: Axes, runs: list[dict], value: Value, theme: Theme) -> None:
     """A line over threads with whiskers."""
     threads = [run["threads"] for run in runs]
     middles, lows, highs = zip(*map(value, runs))
-    whiskers = [[m - low for m, low in zip(middles, lows)], [high - m for m, high in zip(middles, highs)]]
-    axes.errorbar(threads, middles, yerr=whiskers, marker="o", markersize=5.5, linewidth=1.6, elinewidth=1.1,
-                  capsize=3, **style_of(runs[0], theme))
+    axes.errorbar(threads, middles, yerr=whiskers(middles, lows, highs), marker="o", markersize=5.5, linewidth=1.6,
+                  elinewidth=1.1, capsize=3, **style_of(runs[0], theme))
     for run, x, y in zip(runs, threads, middles):
         if not run["equal"]:
             mark_different(axes, x, y, theme)
@@ -79,9 +84,9 @@ def draw_lines(axes: Axes, series: list[list[dict]], value: Value, reference: tu
     """All configurations over threads, the reference as a level, and ideal scaling of the fastest one."""
     threads = sorted({run["threads"] for runs in series for run in runs})
     values = [bound for runs in series for run in runs for bound in value(run)]
-    best = (max if rises else min)(series, key=lambda runs: value(runs[0])[0] * runs[0]["threads"] ** (-1 if rises else 1))
-    start = value(best[0])[0], best[0]["threads"]
-    ideal = [start[0] * (t / start[1]) ** (1 if rises else -1) for t in threads]
+    power = 1 if rises else -1
+    single = [value(runs[0])[0] / runs[0]["threads"] ** power for runs in series]
+    ideal = [(max if rises else min)(single) * t**power for t in threads]
     scale_axis(axes.yaxis, [*values, *ideal, *(reference or ())])
     powers_axis(axes, threads, most=12)
     axes.plot(threads, ideal, color=theme.muted, linewidth=0.9, linestyle=":")
@@ -107,7 +112,7 @@ def draw_rows(axes: Axes, runs: list[dict], value: Value, text: Callable[[dict],
     shown = [(row, run, *value(run)) for row, run in enumerate(runs) if value is time_of or run["speedup"] is not None]
     scale_axis(axes.xaxis, [bound for _, _, *bounds in shown for bound in bounds], room)
     for row, run, middle, low, high in shown:
-        axes.errorbar([middle], [row], xerr=[[middle - low], [high - middle]], marker="o", markersize=7, capsize=3,
+        axes.errorbar([middle], [row], xerr=whiskers([middle], [low], [high]), marker="o", markersize=7, capsize=3,
                       elinewidth=1.2, **style_of(run, theme))
         axes.annotate(text(run), xy=(high, row), xytext=(9, 0), textcoords="offset points", va="center", fontsize=SMALL)
         if not run["equal"]:

@@ -32,6 +32,11 @@ def number(value: float) -> str:
     return f"{value:.3g}"
 
 
+def tick_text(value: float) -> str:
+    """A round number, with all its digits."""
+    return f"{value:,.10g}" if not value or 1e-3 <= abs(value) < 1e9 else number(value)
+
+
 def duration(seconds: float) -> str:
     """A time with its unit."""
     return f"{number(seconds)} s" if seconds >= 0.01 or seconds == 0 else f"{number(1000 * seconds)} ms"
@@ -85,7 +90,7 @@ def lines_of(parts: list[str], fits: Callable[[str], bool]) -> list[str]:
 
 
 def page(theme: Theme, size: tuple[float, float], title: str, parts: list[str], warnings: list[str]) -> Figure:
-    """A page with title, subtitle and warnings above a space that lays itself out; size in inches, without header."""
+    """A page with title, subtitle and warnings above a space of a size in inches that lays itself out."""
     figure = Figure(dpi=DPI, layout="constrained")
     renderer = FigureCanvasAgg(figure).get_renderer()
     font = FontProperties(family="DejaVu Sans", size=SMALL)
@@ -101,7 +106,8 @@ def page(theme: Theme, size: tuple[float, float], title: str, parts: list[str], 
     for index, (line, colour) in enumerate(header):
         y = 1 - (MARGIN + 0.32 + LINE * index) / height
         figure.text(MARGIN / size[0], y, line, fontsize=SMALL, color=colour, va="top")
-    figure.get_layout_engine().set(rect=(0.5 * MARGIN / size[0], 0.01, 1 - MARGIN / size[0], size[1] / height - 0.01), h_pad=0.06, w_pad=0.06)
+    rect = (0.5 * MARGIN / size[0], 0.01, 1 - MARGIN / size[0], size[1] / height - 0.01)
+    figure.get_layout_engine().set(rect=rect, h_pad=0.06, w_pad=0.06, wspace=0.03)
     return figure
 
 
@@ -135,7 +141,7 @@ def scale_axis(axis: Axis, values: list[float], room: float = 0.06) -> None:
     else:
         set_limits(0, (1 + room) * max(values, default=1))
         axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: tick_text(value)))
 
 
 def powers_axis(axes: Axes, values: list[int], most: int = 6) -> None:
@@ -151,7 +157,7 @@ def powers_axis(axes: Axes, values: list[int], most: int = 6) -> None:
     axes.set_xlim(2 ** (low - room), 2 ** (high + room))
     axes.xaxis.set_major_locator(FixedLocator(kept))
     axes.xaxis.set_minor_locator(NullLocator())
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: tick_text(value)))
 
 
 def spread(positions: list[float], gap: float) -> list[float]:

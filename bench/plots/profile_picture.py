@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from plots.page import configuration, count, duration, end_labels, interruption, number, page, scale_axis, single_facts
+from plots.page import (configuration, count, duration, end_labels, interruption, page, scale_axis, single_facts,
+                        tick_text)
 from plots.result import KERNELS
 from plots.theme import SMALL, Theme, on_top_of
 
@@ -35,9 +36,12 @@ def draw_bar(axes: Axes, row: int, phase: dict, theme: Theme) -> None:
     """A bar of the shares of a phase's kernels."""
     seconds = phase["kernel_seconds"]
     total = sum(seconds[kernel] for kernel in KERNELS)
+    if total == 0:
+        axes.text(0.01, row, "no time measured", va="center", fontsize=SMALL, color=theme.muted)
+        return
     left = 0.0
     for kernel, colour in kernel_colours(theme).items():
-        share = seconds[kernel] / total if total > 0 else 0
+        share = seconds[kernel] / total
         axes.barh(row, share, left=left, height=0.72, color=colour, edgecolor=theme.background, linewidth=0.8)
         if share >= NARROWEST_NAMED:
             axes.text(left + share / 2, row, f"{100 * share:.0f} %", ha="center", va="center", fontsize=SMALL,
@@ -53,15 +57,17 @@ def draw_bars(axes: Axes, profiles: list[dict], theme: Theme) -> None:
     axes.set_yticks(range(len(phases)), [f"{name_of(profile)}\n{phase['phase']} phase, {duration(phase['seconds'])}"
                                          for profile, phase in phases])
     axes.set_xlim(0, 1)
-    axes.set_ylim(len(phases) - 0.5, -0.5)
+    axes.set_ylim(max(len(phases), 1) - 0.5, -0.5)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda share, _: f"{100 * share:.0f} %"))
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
     axes.set_title("share of each kernel in the time of a phase", pad=26)
     used = [kernel for kernel in KERNELS if any(phase["kernel_seconds"][kernel] > 0 for _, phase in phases)]
     colours = kernel_colours(theme)
-    axes.legend([Patch(color=colours[kernel]) for kernel in used], [KERNELS[kernel] for kernel in used], ncol=len(KERNELS),
-                loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, handlelength=1, columnspacing=1.4, borderpad=0)
+    if used:
+        axes.legend(handles=[Patch(color=colours[kernel], label=KERNELS[kernel]) for kernel in used], ncol=len(used),
+                    loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, borderpad=0, handlelength=1,
+                    columnspacing=1.4)
 
 
 def positive(values: list[float]) -> list[float]:
@@ -84,8 +90,8 @@ def draw_course(axes: Axes, courses: list[tuple[list[float], str, str]], greedy_
     if 0 < greedy_steps < steps:
         axes.axvline(greedy_steps + 0.5, color=theme.muted, linewidth=1, linestyle=(0, (4, 3)))
     axes.grid(True, axis="y")
-    axes.xaxis.set_major_locator(MaxNLocator(10, integer=True, min_n_ticks=1))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda step, _: number(step)))
+    axes.xaxis.set_major_locator(MaxNLocator(10, steps=[1, 2, 5, 10], integer=True))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda step, _: tick_text(step)))
     axes.tick_params(axis="x", labelbottom=last)
     if len(courses) > 1:
         drawn = [(line, colour, name) for line, colour, name in courses if line and line[-1] > 0]
@@ -111,11 +117,13 @@ def draw_courses(panels: list[Axes], profiles: list[dict], theme: Theme) -> None
     energies = [step["energy"] / last if last > 0 else 1 for step in steps]
     draw_course(panels[0], [([step["active_regions"] for step in steps], theme.green, "")], greedy_steps, theme)
     draw_course(panels[1], [(energies, theme.purple, "")], greedy_steps, theme)
-    times = [([step["seconds"] for step in profile["steps"]], colour, profile["engine"])
-             for profile, colour in zip(profiles, (theme.orange, theme.blue)) if profile["steps"]]
+    colours = {"reference": theme.orange, "parallel": theme.blue}
+    times = [([step["seconds"] for step in profile["steps"]], colours[profile["engine"]], profile["engine"])
+             for profile in profiles]
     draw_course(panels[2], times, greedy_steps, theme, last=True)
     if panels[1].get_yscale() == "linear":
-        panels[1].set_ylim(min(energies) - 0.05 * (max(energies) - min(energies)) - 1e-3, None)
+        room = 0.08 * (max(energies) - min(energies)) or 0.1
+        panels[1].set_ylim(min(energies) - room, max(energies) + room)
     for axes, label in zip(panels, ("active regions", "energy ÷ the last", "time per step (s)")):
         axes.set_ylabel(label, fontsize=SMALL)
     panels[2].set_xlabel("step")

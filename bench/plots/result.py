@@ -5,12 +5,13 @@ import math
 from pathlib import Path
 
 NUMBER = (int, float)
+POSITIVE = range(1, 2**63)
 TEXT_OR_NULL = (str, type(None))
 RANGE = {"min": NUMBER, "median": NUMBER, "max": NUMBER}
 AVERAGE = {"min": NUMBER, "avg": NUMBER, "max": NUMBER}
 
 KERNELS = {
-    "free_search": "free partition",
+    "free_search": "free search",
     "locked_search": "locked search",
     "subtree_sums": "subtree sums",
     "scoring": "scoring",
@@ -23,35 +24,35 @@ GRAPHS = ["vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"]
 
 COMMON = {
     "program": str,
-    "machine": {"processor": str, "threads": int},
+    "machine": {"processor": str, "threads": POSITIVE},
     "mesh": {"file": str, "triangles": int},
     "options": {},
     "interrupted": bool,
 }
-SINGLE = {"graph": str, "seeds": int, "seeds_file": TEXT_OR_NULL}
+SINGLE = {"graph": str, "seeds": POSITIVE, "seeds_file": TEXT_OR_NULL}
 KERNEL_SECONDS = {kernel: NUMBER for kernel in KERNELS}
 SHAPES = {
     "compare": {
         "options": SINGLE,
         "runs": [{
-            "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": int,
-            "turns": int, "seconds": RANGE, "node_visits_per_second": NUMBER, "speedup": (*NUMBER, type(None)),
+            "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": POSITIVE,
+            "turns": POSITIVE, "seconds": RANGE, "node_visits_per_second": NUMBER, "speedup": (*NUMBER, type(None)),
             "equal": bool,
         }],
     },
     "profile": {
         "options": SINGLE,
         "profiles": [{
-            "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": int,
+            "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": POSITIVE,
             "fingerprint": str,
             "phases": [{"phase": ["greedy", "precise"], "seconds": NUMBER, "kernel_seconds": KERNEL_SECONDS}],
             "steps": [{"phase": ["greedy", "precise"], "active_regions": int, "energy": NUMBER, "seconds": NUMBER}],
         }],
     },
     "batch": {
-        "options": {"engine": str, "threads": int},
+        "options": {"engine": str, "threads": POSITIVE},
         "rows": [{
-            "graph": GRAPHS, "seeds": int, "greedy": GREEDY_MODES, "macrostep_skip": bool, "microstep_skip": bool,
+            "graph": GRAPHS, "seeds": POSITIVE, "greedy": GREEDY_MODES, "macrostep_skip": bool, "microstep_skip": bool,
             "batches": int, "converged": int, "seconds": AVERAGE, "greedy_steps": AVERAGE, "macrosteps": AVERAGE,
             "microsteps": AVERAGE, "energy": AVERAGE,
         }],
@@ -74,7 +75,7 @@ def check_value(value: object, kinds: type | tuple[type, ...], where: str) -> No
 
 
 def check(value: object, shape: object, where: str) -> None:
-    """Compares a value with a shape: keys of an object, the shape of a list's items, texts to choose from, types."""
+    """Compares a value with a shape: keys of an object, the shape of a list's items, what to choose from, types."""
     if isinstance(shape, dict):
         if not isinstance(value, dict):
             raise ResultError(f"{where or 'the file'} is not an object")
@@ -91,6 +92,9 @@ def check(value: object, shape: object, where: str) -> None:
             raise ResultError(f"{where} is not a list")
         for index, item in enumerate(value):
             check(item, shape[0], f"{where}[{index}]")
+    elif isinstance(shape, range):
+        if type(value) is not int or value not in shape:
+            raise ResultError(f"{where} is not a positive integer")
     else:
         check_value(value, shape, where)
 
