@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -24,20 +25,20 @@ std::filesystem::path script() {
 
 }  // namespace
 
-bool draw_plot(const std::filesystem::path& result_file) {
+void draw_plot(const std::filesystem::path& result_file) {
   std::fflush(stdout);
   std::string python = "python3";
   std::string program = script().string();
   std::string argument = result_file.string();
   const std::array<char*, 4> arguments = {python.data(), program.data(), argument.data(), nullptr};
   pid_t child = 0;
-  if (posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) {
-    std::fputs("no picture: python3 is missing\n", stderr);
-    return false;
+  const int error =
+      posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
+  if (error != 0) {
+    std::fprintf(stderr, "no picture: python3: %s\n", std::strerror(error));
+    return;
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  waitpid(child, nullptr, 0);
 }
 
 }  // namespace geolloyd
