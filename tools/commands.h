@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/App.hpp>
+#include "tools/cli_fwd.h"
 
 namespace geolloyd {
 

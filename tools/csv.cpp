@@ -1,5 +1,6 @@
 #include "tools/csv.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -8,13 +9,17 @@ namespace {
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
+std::string text_of(const Json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 void flatten(const Json& object, const std::string& prefix, Fields& fields) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) {
       flatten(value, prefix + key + "_", fields);
     } else if (!value.is_array()) {
-      std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-      fields.emplace_back(prefix + key, value.is_null() ? "" : std::move(text));
+      fields.emplace_back(prefix + key, text_of(value));
     }
   }
 }

@@ -1,6 +1,8 @@
 #include "tools/experiment.h"
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
 
 #include <array>
 

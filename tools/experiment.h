@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tools/cli_fwd.h"
 #include "tools/progress.h"
 #include "tools/report_parts.h"
 #include "tools/run_record.h"

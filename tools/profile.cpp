@@ -1,5 +1,7 @@
 #include "tools/profile.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tools/names.h"
 
 namespace geolloyd {

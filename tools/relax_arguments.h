@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "core/relaxation.h"
+#include "tools/cli_fwd.h"
 
 namespace geolloyd {
 

@@ -1,5 +1,7 @@
 #include "tools/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tools/names.h"
 #include "tools/report_parts.h"
 

@@ -1,6 +1,7 @@
 #include "tools/report_parts.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/machine.h"
 #include "tools/names.h"
