@@ -1,46 +1,43 @@
 #include "tools/csv.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <vector>
 
 namespace geolloyd {
 namespace {
 
-using Fields = std::vector<std::pair<std::string, std::string>>;
+// "/a/b" as flatten() names it: a_b.
+std::string column_of(std::string pointer) {
+  std::replace(pointer.begin(), pointer.end(), '/', '_');
+  return pointer.substr(1);
+}
 
-std::string text_of(const Json& value) {
+std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-void flatten(const Json& object, const std::string& prefix, Fields& fields) {
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) {
-      flatten(value, prefix + key + "_", fields);
-    } else if (!value.is_array()) {
-      fields.emplace_back(prefix + key, text_of(value));
-    }
-  }
+void end_line(std::string& line) {
+  if (!line.empty()) line.back() = '\n';
 }
 
 }  // namespace
 
 std::string csv_text(const Json& rows) {
-  std::string head;
-  std::string body;
+  std::string text;
   for (const Json& row : rows) {
-    Fields fields;
-    flatten(row, "", fields);
     std::string names;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const char* end = i + 1 < fields.size() ? "," : "\n";
-      names += fields[i].first + end;
-      body += fields[i].second + end;
+    std::string cells;
+    const Json flat = row.flatten();
+    for (auto field = flat.begin(); field != flat.end(); ++field) {
+      names += column_of(field.key()) + ",";
+      cells += cell_of(field.value()) + ",";
     }
-    if (head.empty()) head = std::move(names);
+    end_line(names);
+    end_line(cells);
+    text += (text.empty() ? names : "") + cells;
   }
-  return head + body;
+  return text;
 }
 
 }  // namespace geolloyd

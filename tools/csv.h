@@ -7,7 +7,7 @@
 namespace geolloyd {
 
 /// An array of objects with the same keys as a table: {"a": {"b": 1}, "c": null} becomes the
-/// columns a_b and c, the latter empty. Arrays in them are left out.
+/// columns a_b and c, the latter empty.
 std::string csv_text(const Json& rows);
 
 }  // namespace geolloyd
