@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "core/file_writer.h"
 #include "tools/ray_caster.h"
+#include "tools/unit_frame.h"
 
 namespace geolloyd {
 namespace {
@@ -75,32 +76,12 @@ struct Sample {
   float light = 0;
 };
 
-// Moved and scaled into a cube of side 1 about the origin: rays have 24 bits only.
-struct UnitFrame {
-  Vec3 middle;
-  double scale;
-
-  explicit UnitFrame(const Mesh& mesh) {
-    const BoundingBox box = bounding_box(mesh.positions);
-    const double widest = box.extent().maxCoeff();
-    middle = box.middle();
-    scale = widest > 0 ? 1 / widest : 1;
-  }
-
-  [[nodiscard]] Vec3 operator()(const Vec3& p) const { return (p - middle) * scale; }
-};
-
-Mesh transformed(Mesh mesh, const UnitFrame& frame) {
-  for (Vec3& p : mesh.positions) p = frame(p);
-  return mesh;
-}
-
 class Painter {
  public:
   explicit Painter(const RunRecord& run)
       : run_(run),
-        frame_(run.input.mesh),
-        mesh_(transformed(run.input.mesh, frame_)),
+        frame_(run.input.mesh.positions),
+        mesh_(frame_(run.input.mesh)),
         view_(mesh_),
         caster_(mesh_) {
     const double region_area = run.facts.area / static_cast<double>(run.regions.size());

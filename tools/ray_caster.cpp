@@ -1,54 +1,12 @@
 #include "tools/ray_caster.h"
 
-// Debian 12 has Embree 3, newer distributions Embree 4. All that differs is in this file.
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
-#include <algorithm>
 #include <limits>
-#include <new>
+
+#include "tools/embree_scene.h"
 
 namespace geolloyd {
 
-struct RayCaster::Scene {
-  RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
-
-  Scene() = default;
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-
-  template <class T>
-  static T* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                       std::size_t count) {
-    void* const memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(T), count);
-    if (memory == nullptr) throw std::bad_alloc();
-    return static_cast<T*>(memory);
-  }
-
-  void add(const Mesh& mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* coordinate =
-        new_buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertex_count());
-    for (const Vec3& p : mesh.positions) {
-      for (const double x : p) *coordinate++ = static_cast<float>(x);
-    }
-    auto* index = new_buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
-                                            mesh.triangle_count());
-    for (const Triangle& t : mesh.triangles) index = std::copy(t.begin(), t.end(), index);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-  }
-
+struct RayCaster::Scene : EmbreeScene {
   void intersect(RTCRayHit& ray) const {
 #if RTC_VERSION_MAJOR >= 4
     rtcIntersect1(scene, &ray);
@@ -61,7 +19,7 @@ struct RayCaster::Scene {
 };
 
 RayCaster::RayCaster(const Mesh& mesh) : scene_(std::make_unique<Scene>()) {
-  scene_->add(mesh);
+  scene_->commit(scene_->triangles(mesh));
 }
 
 RayCaster::~RayCaster() = default;
