@@ -165,7 +165,7 @@ class Dualising {
 
 }  // namespace
 
-std::size_t DualMesh::count(ObstacleKind kind) const {
+std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind) {
   return static_cast<std::size_t>(std::count_if(
       obstacles.begin(), obstacles.end(), [kind](const Obstacle& o) { return o.kind == kind; }));
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/mesh.h"
@@ -35,9 +36,9 @@ struct DualMesh {
   std::size_t repeated = 0;           ///< corners left out because their triangle was there
   std::size_t folded = 0;             ///< triangles that lie on another of opposite orientation
   std::vector<Obstacle> obstacles;    ///< by kind, then regions ascending
-
-  [[nodiscard]] std::size_t count(ObstacleKind kind) const;
 };
+
+std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind);
 
 DualMesh make_dual(const RegionSurface& surface);
 
@@ -46,5 +47,9 @@ DualMesh make_dual(const RegionSurface& surface);
 /// nearest to `site`. So the dual does not shrink from the boundary.
 std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
                              const std::vector<Vec3>& site);
+
+/// Triangles of the dual, so placed, that face away from the surface at the corner they stand for.
+std::size_t count_flipped(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
+                          const std::vector<Vec3>& place);
 
 }  // namespace geolloyd

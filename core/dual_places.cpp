@@ -72,4 +72,20 @@ std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
   return places;
 }
 
+std::size_t count_flipped(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
+                          const std::vector<Vec3>& place) {
+  const auto normal = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return cross(b - a, c - a);
+  };
+  std::size_t flipped = 0;
+  for (std::size_t i = 0; i < dual.triangles.size(); ++i) {
+    const Triangle& t = dual.triangles[i];
+    const Triangle& corner = surface.triangles[dual.corner[i]];
+    const Vec3 there = normal(surface.position(mesh, corner[0]), surface.position(mesh, corner[1]),
+                              surface.position(mesh, corner[2]));
+    if (dot(normal(place[t[0]], place[t[1]], place[t[2]]), there) < 0) ++flipped;
+  }
+  return flipped;
+}
+
 }  // namespace geolloyd

@@ -1,6 +1,8 @@
 #include "core/dual_repair.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "core/dual_remedies.h"
 
@@ -10,30 +12,28 @@ namespace {
 class Repairing {
  public:
   Repairing(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph, Engine& engine,
-            std::span<const NodeId> seeds)
-      : mesh_(mesh), edges_(edges), mesh_graph_(mesh_graph), engine_(engine) {
-    result_.seeds.assign(seeds.begin(), seeds.end());
-  }
+            DualisedSeeds flawed, const std::function<bool()>& keep_going)
+      : mesh_(mesh),
+        edges_(edges),
+        mesh_graph_(mesh_graph),
+        engine_(engine),
+        result_(std::move(flawed)),
+        keep_going_(keep_going) {}
 
-  DualRepair run(bool repair, const std::function<bool()>& keep_going) {
+  DualisedSeeds run() {
     const std::size_t given = result_.seeds.size();
-    dualise();
-    while (repair && !result_.dual.obstacles.empty() && keep_going()) {
+    while (!result_.dual.obstacles.empty() && keep_going_()) {
       if (!add_seeds()) break;
-      dualise();
-      ++result_.rounds;
+      dualise_seeds();
     }
-    result_.added = result_.seeds.size() - given;
-    if (result_.added > 0 && result_.dual.obstacles.empty()) settle(given, keep_going);
+    if (result_.seeds.size() > given && result_.dual.obstacles.empty()) settle(given);
     return std::move(result_);
   }
 
  private:
-  void dualise() {
+  void dualise_seeds() {
     engine_.partition(result_.seeds);
-    result_.surface =
-        spread_regions(mesh_, edges_, mesh_graph_, engine_.current(), result_.seeds.size());
-    result_.dual = make_dual(result_.surface);
+    result_ = dualise(mesh_, edges_, mesh_graph_, engine_.current(), std::move(result_.seeds));
   }
 
   // Those of one obstacle, but no two obstacles that concern the same region: one seed may mend
@@ -58,23 +58,23 @@ class Repairing {
 
   // Moves the seeds from `first_new` on, and those of the regions they border on, toward the
   // centroids of their regions. Seeds whose moving brings obstacles back stay.
-  void settle(std::size_t first_new, const std::function<bool()>& keep_going) {
+  void settle(std::size_t first_new) {
     constexpr int attempts = 6;
     std::vector<std::uint8_t> keeps_seed = far_from(first_new);
-    for (int attempt = 0; attempt < attempts && keep_going(); ++attempt) {
-      engine_.partition(result_.seeds);
-      DualRepair good = result_;
-      engine_.macrostep(result_.seeds, {keeps_seed, true, true},
-                        [](std::uint32_t) { return true; });
-      if (result_.seeds == good.seeds) return;
-      dualise();
-      if (result_.dual.obstacles.empty()) continue;
-      for (const Obstacle& obstacle : result_.dual.obstacles) {
+    for (int attempt = 0; attempt < attempts && keep_going_(); ++attempt) {
+      std::vector<NodeId> moved = result_.seeds;
+      engine_.partition(moved);
+      engine_.macrostep(moved, {keeps_seed, true, true}, [](std::uint32_t) { return true; });
+      if (moved == result_.seeds) return;
+      engine_.partition(moved);
+      DualisedSeeds settled =
+          dualise(mesh_, edges_, mesh_graph_, engine_.current(), std::move(moved));
+      if (settled.dual.obstacles.empty()) result_ = std::move(settled);
+      for (const Obstacle& obstacle : settled.dual.obstacles) {
         for (const RegionId r : obstacle.regions) {
           if (r != no_id) keeps_seed[r] = 1;
         }
       }
-      result_ = std::move(good);
     }
   }
 
@@ -94,15 +94,24 @@ class Repairing {
   const MeshEdges& edges_;
   const MeshGraph& mesh_graph_;
   Engine& engine_;
-  DualRepair result_;
+  DualisedSeeds result_;
+  const std::function<bool()>& keep_going_;
 };
 
 }  // namespace
 
-DualRepair make_dual_of(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                        Engine& engine, std::span<const NodeId> seeds, bool repair,
-                        const std::function<bool()>& keep_going) {
-  return Repairing(mesh, edges, mesh_graph, engine, seeds).run(repair, keep_going);
+DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                      const Partition& partition, std::vector<NodeId> seeds) {
+  DualisedSeeds result{std::move(seeds), {}, {}};
+  result.surface = spread_regions(mesh, edges, mesh_graph, partition, result.seeds.size());
+  result.dual = make_dual(result.surface);
+  return result;
+}
+
+DualisedSeeds repair_dual(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                          Engine& engine, DualisedSeeds flawed,
+                          const std::function<bool()>& keep_going) {
+  return Repairing(mesh, edges, mesh_graph, engine, std::move(flawed), keep_going).run();
 }
 
 }  // namespace geolloyd

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "core/dual_mesh.h"
@@ -11,22 +10,24 @@
 
 namespace geolloyd {
 
-/// A tessellation's dual, and the seeds it took.
-struct DualRepair {
-  std::vector<NodeId> seeds;  ///< those that were given, some moved a little, then those added
-  RegionSurface surface;      ///< of these seeds' regions
-  DualMesh dual;              ///< its obstacles are those that remain
-  std::size_t added = 0;
-  std::size_t rounds = 0;  ///< of adding seeds
+/// Seeds, the surface of their regions, and the dual.
+struct DualisedSeeds {
+  std::vector<NodeId> seeds;  ///< different nodes
+  RegionSurface surface;
+  DualMesh dual;
 };
 
-/// Makes the dual of the tessellation by `seeds` and, with `repair`, adds seeds where obstacles
-/// are, lets them and the regions around them settle, and begins again, until no obstacle is left
-/// or nothing more can be added. `seeds` are different nodes, and `engine` works on mesh_graph's
-/// graph; it may have found their partition already, which then costs little. `keep_going` is asked
-/// before each round.
-DualRepair make_dual_of(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                        Engine& engine, std::span<const NodeId> seeds, bool repair,
-                        const std::function<bool()>& keep_going);
+/// `partition` is that of `seeds`, regions free.
+DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                      const Partition& partition, std::vector<NodeId> seeds);
+
+/// Adds seeds where the dual has obstacles (dual_remedies.h), until it has none or nothing more can
+/// be added. Then these seeds and those around them move toward the centroids of their regions, as
+/// far as no obstacle comes back. The seeds that were there stay the first ones, in their order.
+/// `engine` works on mesh_graph's graph; `keep_going` is asked before each round of adding or
+/// moving.
+DualisedSeeds repair_dual(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                          Engine& engine, DualisedSeeds flawed,
+                          const std::function<bool()>& keep_going);
 
 }  // namespace geolloyd

@@ -20,14 +20,15 @@
 namespace geolloyd {
 namespace {
 
-void relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds,
-                 ProgressLine& progress) {
+// Returns the engine, with the partition of the seeds as they are then.
+std::unique_ptr<Engine> relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds,
+                                    ProgressLine& progress) {
   const Stopwatch watch;
   const Graph& graph = run.mesh_graph.graph;
   const std::size_t count = seeds.size();
   const EngineKind kind = value_of(engine_names, run.arguments.engine);
   run.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
-  const auto engine =
+  auto engine =
       make_engine(kind, value_of(frontier_names, run.arguments.frontier), scheduler, graph);
   run.relaxation = relax(graph, *engine, std::move(seeds), relaxation_options(run.arguments),
                          [&](const Progress& p) {
@@ -35,6 +36,14 @@ void relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds
                            return !interrupted();
                          });
   run.seconds.relax = watch.seconds();
+  return engine;
+}
+
+void make_remesh(RunRecord& run, Scheduler& scheduler, Engine& engine) {
+  const Stopwatch watch;
+  run.remesh = make_remesh({run.input.mesh, run.mesh_graph, run.relaxation.seeds, engine},
+                           {run.arguments.manifold}, scheduler);
+  run.seconds.remesh = watch.seconds();
 }
 
 const char* describe(End end) {
@@ -49,6 +58,22 @@ const char* describe(End end) {
       return "STOPPED, the seeds came back to an earlier state; the best state";
   }
   return "";
+}
+
+void print_remesh(const Remesh& remesh) {
+  const PartTopology total = remesh.topology.total();
+  fmt::print("  {:<12}{}, {}, Euler characteristic {}, {}\n", "remesh",
+             counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
+             counted(remesh.mesh.triangle_count(), "triangle", "triangles"),
+             total.euler_characteristic,
+             counted(total.boundary_loops, "boundary loop", "boundary loops"));
+  if (remesh.seeds_added > 0) {
+    fmt::print("  {:<12}{} added where regions did not meet as they should\n", "",
+               counted(remesh.seeds_added, "seed", "seeds"));
+  }
+  fmt::print("  {:<12}{}\n", "",
+             remesh.flaw.empty() ? "a manifold of the input's topology"
+                                 : "NO MANIFOLD of the input's topology: " + remesh.flaw);
 }
 
 void print_summary(const RunRecord& run) {
@@ -73,14 +98,16 @@ void print_summary(const RunRecord& run) {
              hexagonal > 0
                  ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");
+  print_remesh(run.remesh);
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
   fmt::print(
-      "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, write {:.2f}; "
+      "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, remesh "
+      "{:.2f}, write {:.2f}; "
       "{:.0f} MB, {}\n",
-      "time", s.total, s.load, s.graph, s.seeds, s.relax, s.write,
+      "time", s.total, s.load, s.graph, s.seeds, s.relax, s.remesh, s.write,
       static_cast<double>(run.peak_memory_bytes) * 1e-6, counted(run.threads, "thread", "threads"));
-  fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv report.json\n", "written",
-             run.arguments.output.string());
+  fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv remesh.ply report.json\n",
+             "written", run.arguments.output.string());
   if (!run.arguments.picture.empty()) {
     fmt::print("  {:<12}{}\n", "", run.arguments.picture.string());
   }
@@ -96,7 +123,9 @@ void run_relax(const RelaxArguments& arguments) {
   std::vector<NodeId> seeds = prepare(run, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
-  relax_seeds(run, scheduler, std::move(seeds), progress);
+  const auto engine = relax_seeds(run, scheduler, std::move(seeds), progress);
+  progress.stage("making the remesh");
+  make_remesh(run, scheduler, *engine);
 
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
@@ -126,11 +155,15 @@ void add_relax_command(CLI::App& program) {
   add_mesh_argument(*command, *arguments);
   command
       ->add_option("-o,--output", arguments->output,
-                   "Folder for tessellation.ply, seeds.csv, regions.csv, report.json")
+                   "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
+                   "report.json")
       ->type_name("FOLDER")
       ->required();
   command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
       ->type_name("FILE");
+  command->add_flag("--manifold,!--no-manifold", arguments->manifold,
+                    "Add seeds to the remesh until it is a manifold of the input's\n"
+                    "topology (default: yes)");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);

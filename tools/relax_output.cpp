@@ -14,8 +14,8 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::array<const char*, 4> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
-                                                     "report.json"};
+constexpr std::array<const char*, 5> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
+                                                     "remesh.ply", "report.json"};
 
 std::string_view kind_of(const MeshGraph& mesh_graph, std::uint32_t input_id) {
   return mesh_graph.is_triangle(input_id) ? "triangle" : "vertex";
@@ -85,6 +85,7 @@ void write_results(const RunRecord& run, Scheduler& scheduler) {
                            labels.first(vertices), labels.subspan(vertices));
       },
       [&] { write_file(run, "regions.csv", write_regions); },
+      [&] { write_mesh(run.arguments.output / "remesh.ply", run.remesh.mesh); },
       [&] { write_file(run, "seeds.csv", write_seeds); });
 }
 

@@ -13,7 +13,8 @@ void prepare_output(const RelaxArguments& arguments);
 
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
-/// a line per region. regions.csv: a line per input id.
+/// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
+/// added seeds last.
 void write_results(const RunRecord& run, Scheduler& scheduler);
 
 /// report.json (report.h), the last file to appear.

@@ -61,6 +61,36 @@ Json trace_part(const Relaxation& relaxation) {
   return trace;
 }
 
+Json obstacles_part(std::span<const Obstacle> obstacles) {
+  return {{"regions_not_discs", count(obstacles, ObstacleKind::region)},
+          {"contacts_not_curves", count(obstacles, ObstacleKind::contact)},
+          {"triples_with_several_corners", count(obstacles, ObstacleKind::triple)},
+          {"regions_without_corner", count(obstacles, ObstacleKind::isolation)}};
+}
+
+Json remesh_part(const Remesh& remesh) {
+  const PartTopology total = remesh.topology.total();
+  const PartTopology input = remesh.input_topology.total();
+  return {{"vertices", remesh.mesh.vertex_count()},
+          {"triangles", remesh.mesh.triangle_count()},
+          {"seeds_added", remesh.seeds_added},
+          {"is_manifold_of_input_topology", remesh.flaw.empty()},
+          {"flaw", remesh.flaw.empty() ? Json(nullptr) : Json(remesh.flaw)},
+          {"components", remesh.topology.parts.size()},
+          {"components_of_input", remesh.input_topology.parts.size()},
+          {"euler_characteristic", total.euler_characteristic},
+          {"euler_characteristic_of_input", input.euler_characteristic},
+          {"boundary_loops", total.boundary_loops},
+          {"boundary_loops_of_input", input.boundary_loops},
+          {"non_manifold_edges", remesh.topology.non_manifold_edges},
+          {"non_manifold_vertices", remesh.topology.non_manifold_vertices},
+          {"repeated_triangles", remesh.repeated},
+          {"folded_triangles", remesh.folded},
+          {"flipped_triangles", remesh.flipped},
+          {"obstacles_found", obstacles_part(remesh.obstacles_found)},
+          {"obstacles_left", obstacles_part(remesh.obstacles_left)}};
+}
+
 Json make_report(const RunRecord& run) {
   const Relaxation& relaxation = run.relaxation;
   Json report;
@@ -76,10 +106,14 @@ Json make_report(const RunRecord& run) {
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;
   report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);
+  report["isoperimetric_ratio"] = {{"mean", run.remesh.roundness.mean},
+                                   {"min", run.remesh.roundness.min}};
+  report["remesh"] = remesh_part(run.remesh);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
-  report["seconds"] = {{"load", run.seconds.load},   {"graph", run.seconds.graph},
-                       {"seeds", run.seconds.seeds}, {"relax", run.seconds.relax},
-                       {"write", run.seconds.write}, {"total", run.seconds.total}};
+  report["seconds"] = {{"load", run.seconds.load},     {"graph", run.seconds.graph},
+                       {"seeds", run.seconds.seeds},   {"relax", run.seconds.relax},
+                       {"remesh", run.seconds.remesh}, {"write", run.seconds.write},
+                       {"total", run.seconds.total}};
   report["peak_memory_bytes"] = run.peak_memory_bytes;
   report["trace"] = trace_part(relaxation);
   return report;

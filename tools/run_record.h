@@ -9,6 +9,7 @@
 #include "core/relaxation.h"
 #include "core/tessellation.h"
 #include "tools/relax_arguments.h"
+#include "tools/remesh.h"
 
 namespace geolloyd {
 
@@ -17,6 +18,7 @@ struct StageSeconds {
   double graph = 0;
   double seeds = 0;
   double relax = 0;
+  double remesh = 0;
   double write = 0;
   double total = 0;
 };
@@ -32,6 +34,7 @@ struct RunRecord {
   std::size_t threads = 0;  ///< of the relaxation
   std::vector<RegionSummary> regions;
   std::vector<Label> labels;  ///< per input id
+  Remesh remesh;
   StageSeconds seconds;
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };

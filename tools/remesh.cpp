@@ -1,0 +1,120 @@
+#include "tools/remesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/dual_repair.h"
+#include "core/mesh_measure.h"
+#include "core/region_borders.h"
+#include "parallel/mesh_edges.h"
+#include "tools/facts_text.h"
+#include "tools/interrupt.h"
+
+namespace geolloyd {
+namespace {
+
+Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
+                            const RegionSurface& surface) {
+  const std::vector<double> perimeter = border_lengths(input.mesh, surface);
+  const Graph& graph = input.mesh_graph.graph;
+  const std::vector<Key>& key = input.engine.current().key;
+  std::vector<double> mass(perimeter.size(), 0);
+  double total_mass = 0;
+  for (NodeId v = 0; v < graph.node_count(); ++v) {
+    if (key[v] == unreached) continue;
+    mass[region_of(key[v])] += graph.mass[v];
+    total_mass += graph.mass[v];
+  }
+  double area = 0;
+  for (const double a : triangle_areas(input.mesh, edges.duplicates)) area += a;
+  Roundness roundness{0, perimeter.empty() ? 0.0 : 1.0};
+  for (std::size_t r = 0; r < perimeter.size(); ++r) {
+    const double ratio =
+        total_mass > 0 ? isoperimetric_ratio(mass[r] * (area / total_mass), perimeter[r]) : 0;
+    roundness.mean += ratio / static_cast<double>(perimeter.size());
+    roundness.min = std::min(roundness.min, ratio);
+  }
+  return roundness;
+}
+
+std::string describe(ObstacleKind kind) {
+  switch (kind) {
+    case ObstacleKind::region:
+      return "is no disc";
+    case ObstacleKind::contact:
+      return "meet in several places";
+    case ObstacleKind::triple:
+      return "meet at several corners";
+    case ObstacleKind::isolation:
+      return "touches fewer than two others";
+  }
+  return "";
+}
+
+std::string name(const Obstacle& obstacle) {
+  std::string regions;
+  std::size_t count = 0;
+  for (const RegionId r : obstacle.regions) {
+    if (r == no_id) continue;
+    regions += (count++ == 0 ? " " : ", ") + std::to_string(r);
+  }
+  return (count == 1 ? "region" : "regions") + regions + " " + describe(obstacle.kind);
+}
+
+// Why the remesh is no manifold of the input's topology.
+std::string find_flaw(const Remesh& remesh, bool manifold) {
+  const MeshTopology& input = remesh.input_topology;
+  if (input.non_manifold_edges > 0 || input.non_manifold_vertices > 0) {
+    return fmt::format(
+        "the input is none: {}, {}",
+        counted(input.non_manifold_edges, "non-manifold edge", "non-manifold edges"),
+        counted(input.non_manifold_vertices, "vertex whose triangles are several fans",
+                "vertices whose triangles are several fans"));
+  }
+  if (!remesh.obstacles_left.empty()) {
+    const std::string first = name(remesh.obstacles_left.front());
+    if (!manifold) return first + ", and seeds were not to be added (--no-manifold)";
+    if (interrupted()) return first + ", and the work was interrupted";
+    return first + ", and no node is left there to put a further seed at: use a finer mesh";
+  }
+  if (!remesh.topology.is_manifold() || remesh.topology.parts != input.parts) {
+    return "its topology differs from the input's";
+  }
+  return "";
+}
+
+}  // namespace
+
+Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Scheduler& scheduler) {
+  const MeshEdges edges = find_edges(scheduler, input.mesh);
+  DualisedSeeds dualised =
+      dualise(input.mesh, edges, input.mesh_graph, input.engine.current(), input.seeds);
+  Remesh remesh;
+  remesh.roundness = measure_roundness(input, edges, dualised.surface);
+  remesh.obstacles_found = dualised.dual.obstacles;
+  if (options.manifold && !remesh.obstacles_found.empty()) {
+    dualised = repair_dual(input.mesh, edges, input.mesh_graph, input.engine, std::move(dualised),
+                           [] { return !interrupted(); });
+  }
+  remesh.seeds = std::move(dualised.seeds);
+  remesh.seeds_added = remesh.seeds.size() - input.seeds.size();
+  remesh.obstacles_left = dualised.dual.obstacles;
+  remesh.repeated = dualised.dual.repeated;
+  remesh.folded = dualised.dual.folded;
+
+  std::vector<Vec3> sites;
+  sites.reserve(remesh.seeds.size());
+  for (const NodeId seed : remesh.seeds) sites.push_back(input.mesh_graph.position[seed]);
+  remesh.mesh.positions = place_dual(input.mesh, dualised.surface, sites);
+  remesh.flipped =
+      count_flipped(input.mesh, dualised.surface, dualised.dual, remesh.mesh.positions);
+  remesh.mesh.triangles = std::move(dualised.dual.triangles);
+  remesh.topology = find_topology(remesh.mesh, find_edges(scheduler, remesh.mesh));
+  remesh.input_topology = find_topology(input.mesh, edges);
+  remesh.flaw = find_flaw(remesh, options.manifold);
+  return remesh;
+}
+
+}  // namespace geolloyd
