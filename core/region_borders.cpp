@@ -6,13 +6,24 @@
 namespace geolloyd {
 namespace {
 
+using Edge = std::array<PointId, 2>;  // ascending
+using Place = std::uint32_t;          // number of a cut edge
+
+// The cuts of one triangle between two regions, or of a corner between three.
+struct Piece {
+  std::array<Place, 3> cuts = {no_id, no_id, no_id};  // the last only of a corner
+};
+
 class Borders {
  public:
   Borders(const Mesh& mesh, const RegionSurface& surface)
       : mesh_(mesh), surface_(surface), length_(surface.region_count, 0) {}
 
   std::vector<double> run() {
-    for (const Triangle& t : surface_.triangles) cross_triangle(t);
+    gather();
+    constexpr int passes = 6;
+    for (int pass = 0; pass < passes; ++pass) smooth();
+    for (const Piece& piece : pieces_) measure(piece);
     for (const OddEdge& edge : surface_.odd_edges) {
       if (edge.triangles == 1) follow_boundary(edge.ends[0], edge.ends[1]);
     }
@@ -21,6 +32,34 @@ class Borders {
 
  private:
   [[nodiscard]] RegionId region(PointId p) const { return surface_.region[p]; }
+
+  void gather() {
+    std::vector<std::array<Edge, 3>> edges_of;
+    for (const Triangle& t : surface_.triangles) {
+      std::array<Edge, 3> cut{};
+      std::size_t count = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const PointId a = t[c];
+        const PointId b = t[(c + 1) % 3];
+        if (region(a) != region(b)) cut[count++] = {std::min(a, b), std::max(a, b)};
+      }
+      if (count == 0) continue;
+      edges_.insert(edges_.end(), cut.begin(), cut.begin() + static_cast<std::ptrdiff_t>(count));
+      edges_of.push_back(cut);
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    for (const Edge& e : edges_) at_.push_back(cut(e[0], e[1]));
+    for (const std::array<Edge, 3>& cut : edges_of) {
+      Piece piece;
+      const std::size_t count = cut[2] == Edge{} ? 2 : 3;
+      for (std::size_t i = 0; i < count; ++i) {
+        piece.cuts[i] = static_cast<Place>(std::lower_bound(edges_.begin(), edges_.end(), cut[i]) -
+                                           edges_.begin());
+      }
+      pieces_.push_back(piece);
+    }
+  }
 
   // Where an edge between two regions is as far from one seed as from the other.
   [[nodiscard]] Vec3 cut(PointId a, PointId b) const {
@@ -32,45 +71,57 @@ class Borders {
     return from + std::clamp(share, 0.0, 1.0) * way;
   }
 
-  void add(RegionId r, double length) {
-    if (r != no_id) length_[r] += length;
+  // Each cut half way to the middle of its neighbours along the border. Ends stay.
+  void smooth() {
+    std::vector<Vec3> sum(at_.size(), Vec3::Zero());
+    std::vector<std::uint8_t> neighbours(at_.size(), 0);
+    const auto join = [&](Place a, const Vec3& b) {
+      sum[a] += b;
+      ++neighbours[a];
+    };
+    for (const Piece& piece : pieces_) {
+      const auto [a, b, c] = piece.cuts;
+      if (c == no_id) {
+        join(a, at_[b]);
+        join(b, at_[a]);
+      } else {
+        const Vec3 middle = (at_[a] + at_[b] + at_[c]) / 3;
+        for (const Place p : piece.cuts) join(p, middle);
+      }
+    }
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      if (neighbours[i] == 2) at_[i] = 0.5 * at_[i] + 0.25 * sum[i];
+    }
   }
 
-  void cross_triangle(const Triangle& t) {
-    const std::array<RegionId, 3> r = {region(t[0]), region(t[1]), region(t[2])};
-    if (r[0] == r[1] && r[1] == r[2]) return;
-    if (r[0] != r[1] && r[1] != r[2] && r[2] != r[0]) {
-      const std::array<Vec3, 3> cuts = {cut(t[0], t[1]), cut(t[1], t[2]), cut(t[2], t[0])};
-      const Vec3 middle = (cuts[0] + cuts[1] + cuts[2]) / 3;
-      for (std::size_t c = 0; c < 3; ++c) {
-        add(r[c], norm(cuts[c] - middle));
-        add(r[(c + 1) % 3], norm(cuts[c] - middle));
-      }
+  void add(Place p, double length) {
+    for (const PointId end : edges_[p]) {
+      if (region(end) != no_id) length_[region(end)] += length;
+    }
+  }
+
+  void measure(const Piece& piece) {
+    const auto [a, b, c] = piece.cuts;
+    if (c == no_id) {
+      add(a, norm(at_[a] - at_[b]));
       return;
     }
-    for (std::size_t c = 0; c < 3; ++c) {  // the corner that is alone
-      const PointId left = t[(c + 1) % 3];
-      const PointId right = t[(c + 2) % 3];
-      if (region(left) != region(right)) continue;
-      const double length = norm(cut(t[c], left) - cut(t[c], right));
-      add(r[c], length);
-      add(region(left), length);
-    }
+    const Vec3 middle = (at_[a] + at_[b] + at_[c]) / 3;
+    for (const Place p : piece.cuts) add(p, norm(at_[p] - middle));
   }
 
   void follow_boundary(PointId a, PointId b) {
-    if (region(a) == region(b)) {
-      add(region(a), norm(surface_.position(mesh_, a) - surface_.position(mesh_, b)));
-    } else {
-      const Vec3 middle = cut(a, b);
-      add(region(a), norm(surface_.position(mesh_, a) - middle));
-      add(region(b), norm(surface_.position(mesh_, b) - middle));
-    }
+    const Vec3 middle = region(a) == region(b) ? surface_.position(mesh_, a) : cut(a, b);
+    if (region(a) != no_id) length_[region(a)] += norm(surface_.position(mesh_, a) - middle);
+    if (region(b) != no_id) length_[region(b)] += norm(surface_.position(mesh_, b) - middle);
   }
 
   const Mesh& mesh_;
   const RegionSurface& surface_;
   std::vector<double> length_;
+  std::vector<Edge> edges_;  // between two regions, ascending
+  std::vector<Vec3> at_;     // per edge: where it is cut
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace
