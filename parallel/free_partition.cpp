@@ -78,12 +78,15 @@ void FreePartition::moved_to(std::span<const NodeId> seeds) {
   has_partition_ = true;
 }
 
-// Seeds that moved within their regions leave upper bounds to start from.
+// Seeds that moved within their regions, and further seeds, leave upper bounds to start from.
 bool FreePartition::can_repair(std::span<const NodeId> seeds) const {
-  if (!has_partition_ || seeds.size() != seeds_.size()) return false;
+  if (!has_partition_ || seeds.size() < seeds_.size()) return false;
   if (frontier_ == Frontier::heap || frontier_ == Frontier::delta) return false;
-  for (RegionId r = 0; r < seeds.size(); ++r) {
+  for (RegionId r = 0; r < seeds_.size(); ++r) {
     if (region_of(partition_.key[seeds[r]]) != r) return false;
+  }
+  for (const NodeId further : seeds.subspan(seeds_.size())) {
+    if (partition_.key[further] == unreached) return false;
   }
   return true;
 }
@@ -118,13 +121,15 @@ void FreePartition::sum_unreached() {
 
 void FreePartition::search_from_last(std::span<const NodeId> seeds) {
   std::vector<RegionId> moved;
-  for (RegionId r = 0; r < seeds.size(); ++r) {
+  for (RegionId r = 0; r < seeds_.size(); ++r) {
     if (seeds[r] == seeds_[r]) continue;
     moved.push_back(r);
     is_changed_[r] = 1;
   }
   shift_keys(moved, seeds);
+  plant(seeds);
   const std::vector<RegionId> suspects = regions_where(is_changed_, true);
+  add_regions(seeds.size());
   delta_stepping_.repair(members_, cut_into_pieces(members_, suspects), partition_.key,
                          is_changed_);
 }
@@ -155,6 +160,22 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
     }
   });
   for (const RegionId r : moved) partition_.key[seeds[r]] = make_key(0, r);
+}
+
+// Seeds beyond those that there were take their nodes from other regions.
+void FreePartition::plant(std::span<const NodeId> seeds) {
+  for (std::size_t r = seeds_.size(); r < seeds.size(); ++r) {
+    Key& key = partition_.key[seeds[r]];
+    if (region_of(key) < seeds_.size()) is_changed_[region_of(key)] = 1;
+    key = make_key(0, static_cast<RegionId>(r));
+  }
+}
+
+void FreePartition::add_regions(std::size_t count) {
+  is_changed_.resize(count, 1);
+  has_sums_.resize(count, 0);
+  totals_.score.resize(count, 0);
+  totals_.digest.resize(count, 0);
 }
 
 void FreePartition::derive_changed() {

@@ -18,8 +18,9 @@
 
 namespace geolloyd {
 
-/// The partition, regions free, of seeds that move a little from time to time, and what depends on
-/// it region by region. Only regions in which something changed are gone through again.
+/// The partition, regions free, of seeds that move a little from time to time, or become more, and
+/// what depends on it region by region. Only regions in which something changed are gone through
+/// again.
 class FreePartition {
  public:
   FreePartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
@@ -56,6 +57,8 @@ class FreePartition {
   void sum_unreached();
   void search_from_last(std::span<const NodeId> seeds);
   void shift_keys(std::span<const RegionId> moved, std::span<const NodeId> seeds);
+  void plant(std::span<const NodeId> seeds);
+  void add_regions(std::size_t count);
   void derive_changed();
 
   Scheduler& scheduler_;

@@ -204,7 +204,7 @@ TEST(Agreement, OnSeedsThatJump) {
     const auto reference = make_reference_engine(graph);
     const auto parallel = make_parallel_engine(*schedulers()[random_seed % 8], graph);
     std::vector<NodeId> seeds = random_nodes(random_seed, nodes, 6);
-    for (std::uint32_t turn = 0; turn < 12; ++turn) {
+    for (std::uint32_t turn = 0; turn < 16; ++turn) {
       reference->partition(seeds);
       parallel->partition(seeds);
       ASSERT_EQ(reference->current().key, parallel->current().key);
@@ -216,7 +216,7 @@ TEST(Agreement, OnSeedsThatJump) {
         ASSERT_EQ(reference->greedy_candidates(seeds, extended),
                   parallel->greedy_candidates(seeds, extended));
       }
-      switch (random_number(random_seed, turn, 4)) {
+      switch (random_number(random_seed, turn, 6)) {
         case 0:  // elsewhere, and another number of them
           seeds = random_nodes(random_seed + turn, nodes, 1 + turn);
           break;
@@ -233,6 +233,13 @@ TEST(Agreement, OnSeedsThatJump) {
           ASSERT_EQ(seeds, others);
           break;
         }
+        case 3:  // more of them where they are
+        case 4:  // and where they move to
+          for (const NodeId s : random_nodes(random_seed + turn, nodes, 1 + turn % 3)) {
+            if (std::find(seeds.begin(), seeds.end(), s) == seeds.end()) seeds.push_back(s);
+          }
+          if (random_number(random_seed, turn, 6) == 3) break;
+          [[fallthrough]];
         default:  // by one arc, or not at all
           for (NodeId& s : seeds) {
             const auto neighbours = graph.neighbours(s);
