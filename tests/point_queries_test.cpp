@@ -66,7 +66,7 @@ void expect_nearest_as_by_force(const std::vector<Vec3>& sites, double half) {
 }
 
 TEST(NearestSite, IsThatOfBruteForceAtAllMagnitudes) {
-  for (const double half : {1.0, 1e30, 1e-30, 1e-150, 1e-170, 1e-308}) {
+  for (const double half : {1.0, 1e30, 1e-30, 1e-150, 1e-170, 1e-308, 1e-310}) {
     SCOPED_TRACE(half);
     expect_nearest_as_by_force(random_points(1, 300, half), half);
   }
@@ -113,18 +113,12 @@ SurfacePoint closest_by_force(const Mesh& mesh, const Vec3& p) {
 
 void expect_closest_as_by_force(const Mesh& mesh, const std::vector<Vec3>& asked) {
   const ClosestPoint surface(mesh);
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const Vec3& p = asked[i];
-    const auto guess = static_cast<TriangleId>(random_bits(4, i) % mesh.triangle_count());
+  for (const Vec3& p : asked) {
     const SurfacePoint expected = closest_by_force(mesh, p);
     const SurfacePoint found = surface.find(p);
     const double rounding = 1e-13 * (norm(p) + norm(expected.position));
     ASSERT_NEAR(found.distance, expected.distance, rounding) << p.transpose();
     ASSERT_NEAR(norm(p - found.position), expected.distance, rounding) << p.transpose();
-    const SurfacePoint guessed = surface.find(p, guess);
-    ASSERT_EQ(guessed.triangle, found.triangle) << p.transpose();
-    ASSERT_EQ(guessed.position, found.position) << p.transpose();
-    ASSERT_EQ(guessed.distance, found.distance) << p.transpose();
   }
 }
 
