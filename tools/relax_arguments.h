@@ -15,6 +15,7 @@ struct RelaxArguments {
   std::filesystem::path output;
   std::filesystem::path picture;
   bool manifold = true;
+  bool ground_truth = false;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";

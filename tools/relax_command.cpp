@@ -5,6 +5,7 @@
 
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/ground_truth_output.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
@@ -98,14 +99,15 @@ void print_summary(const RunRecord& run) {
              hexagonal > 0
                  ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");
+  if (run.ground_truth) fmt::print("{}", describe(*run.ground_truth));
   print_remesh(run.remesh);
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
-  fmt::print(
-      "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, remesh "
-      "{:.2f}, write {:.2f}; "
-      "{:.0f} MB, {}\n",
-      "time", s.total, s.load, s.graph, s.seeds, s.relax, s.remesh, s.write,
-      static_cast<double>(run.peak_memory_bytes) * 1e-6, counted(run.threads, "thread", "threads"));
+  fmt::print("  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, ",
+             "time", s.total, s.load, s.graph, s.seeds, s.relax);
+  if (run.ground_truth) fmt::print("ground truth {:.2f}, ", s.ground_truth);
+  fmt::print("remesh {:.2f}, write {:.2f}; {:.0f} MB, {}\n", s.remesh, s.write,
+             static_cast<double>(run.peak_memory_bytes) * 1e-6,
+             counted(run.threads, "thread", "threads"));
   fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv remesh.ply report.json\n",
              "written", run.arguments.output.string());
   if (!run.arguments.picture.empty()) {
@@ -124,6 +126,7 @@ void run_relax(const RelaxArguments& arguments) {
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
   const auto engine = relax_seeds(run, scheduler, std::move(seeds), progress);
+  if (arguments.ground_truth) find_ground_truth(run, scheduler, progress);
   progress.stage("making the remesh");
   make_remesh(run, scheduler, *engine);
 
@@ -164,6 +167,8 @@ void add_relax_command(CLI::App& program) {
   command->add_flag("--manifold,!--no-manifold", arguments->manifold,
                     "Add seeds to the remesh until it is a manifold of the input's\n"
                     "topology (default: yes)");
+  command->add_flag("--ground-truth", arguments->ground_truth,
+                    "Judge the result by the regions of Euclidean distance");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);
