@@ -8,6 +8,7 @@
 #include "core/mesh_io.h"
 #include "core/relaxation.h"
 #include "core/tessellation.h"
+#include "tools/hexagonal_energy.h"
 #include "tools/relax_arguments.h"
 
 namespace geolloyd {
@@ -36,12 +37,11 @@ struct RunRecord {
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };
 
-/// Energy of a regular hexagonal tiling of the plane with as much area and as many regions.
-/// 0.160375 is that of one regular hexagon of unit area and unit density, 5 / (18 sqrt 3).
+/// That of the hexagonal tiling with as much area and as many regions.
 inline double hexagonal_energy(const RunRecord& run) {
   double mass = 0;
   for (const RegionSummary& region : run.regions) mass += region.area;
-  return 0.160375 * mass * run.facts.area / static_cast<double>(run.regions.size());
+  return hexagonal_energy(mass, run.facts.area, run.regions.size());
 }
 
 }  // namespace geolloyd
