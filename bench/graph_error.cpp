@@ -126,6 +126,7 @@ void print_rows(const Surface& surface) {
   Scheduler scheduler;
   const MeshEdges edges = find_edges(scheduler, surface.mesh);
   std::vector<Row> rows;
+  rows.reserve(kinds.size());
   for (const auto& [name, kind] : kinds) rows.push_back({name, kind, {}, {}, {}});
   for (std::size_t turn = 0; turn < turns; ++turn) {
     for (Row& row : rows) take_turn(row, scheduler, surface.mesh, edges);

@@ -20,7 +20,9 @@ inline double share_closest_to_origin(const Vec3& a, const Vec3& b) {
 /// the foot of the perpendicular where that is inside: no triangle is so thin, however its weights
 /// are rounded, that the result would not be close to the best.
 inline std::array<double, 2> weights_closest_to_origin(const std::array<Vec3, 3>& corner) {
-  const auto& [a, b, c] = corner;
+  const Vec3& a = corner[0];
+  const Vec3& b = corner[1];
+  const Vec3& c = corner[2];
   std::array<double, 2> best = {0, 0};
   double least = dot(a, a);
   const auto offer = [&](double v, double w) {

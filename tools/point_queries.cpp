@@ -128,7 +128,7 @@ ClosestPoint::ClosestPoint(const Mesh& mesh) : scene_(std::make_unique<Scene>(me
 
 ClosestPoint::~ClosestPoint() = default;
 
-SurfacePoint ClosestPoint::find(const Vec3& p, TriangleId guess) const {
+SurfacePoint ClosestPoint::find(const Vec3& p) const {
   struct Nearest {
     const Scene& scene;
     const Vec3& p;
@@ -148,7 +148,6 @@ SurfacePoint ClosestPoint::find(const Vec3& p, TriangleId guess) const {
     }
     [[nodiscard]] double distance() const { return std::sqrt(square); }
   } nearest{*scene_, p};
-  nearest.visit(guess);
   search(scene_->scene, scene_->frame(p), nearest);
   return {nearest.triangle, nearest.position, nearest.distance() / scene_->frame.scale};
 }

@@ -44,8 +44,7 @@ class ClosestPoint {
   ClosestPoint& operator=(const ClosestPoint&) = delete;
   ~ClosestPoint();
 
-  /// `guess`: a triangle thought to be near. Any will do, a good one is faster.
-  [[nodiscard]] SurfacePoint find(const Vec3& p, TriangleId guess = 0) const;
+  [[nodiscard]] SurfacePoint find(const Vec3& p) const;
 
  private:
   struct Scene;

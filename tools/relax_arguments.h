@@ -14,6 +14,7 @@ struct RelaxArguments {
   std::filesystem::path mesh;
   std::filesystem::path output;
   std::filesystem::path picture;
+  bool ground_truth = false;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";

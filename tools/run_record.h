@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/mesh_check.h"
@@ -8,6 +9,7 @@
 #include "core/mesh_io.h"
 #include "core/relaxation.h"
 #include "core/tessellation.h"
+#include "tools/ground_truth.h"
 #include "tools/hexagonal_energy.h"
 #include "tools/relax_arguments.h"
 
@@ -18,6 +20,7 @@ struct StageSeconds {
   double graph = 0;
   double seeds = 0;
   double relax = 0;
+  double ground_truth = 0;
   double write = 0;
   double total = 0;
 };
@@ -33,6 +36,7 @@ struct RunRecord {
   std::size_t threads = 0;  ///< of the relaxation
   std::vector<RegionSummary> regions;
   std::vector<Label> labels;  ///< per input id
+  std::optional<GroundTruth> ground_truth;
   StageSeconds seconds;
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };

@@ -40,11 +40,8 @@ Sums sum_over_samples(Scheduler& scheduler, const SurfaceSamples& samples,
   for_ranges(scheduler, samples.size(), small_items,
              [&](std::size_t begin, std::size_t end, std::size_t) {
                Sums sums;
-               TriangleId guess = 0;
                for (std::size_t i = begin; i < end; ++i) {
-                 const SurfacePoint found = closest.find(samples.at(i), guess);
-                 guess = found.triangle;
-                 sums.add(found.distance);
+                 sums.add(closest.find(samples.at(i)).distance);
                }
                of_range[begin / small_items] = sums;
              });
@@ -58,12 +55,10 @@ double largest_of_vertices(Scheduler& scheduler, const Mesh& mesh, const Closest
   std::vector<double> of_worker(scheduler.threads(), 0);
   for_ranges(scheduler, mesh.vertex_count(), small_items,
              [&](std::size_t begin, std::size_t end, std::size_t worker) {
-               TriangleId guess = 0;
+               double& largest = of_worker[worker];
                for (std::size_t v = begin; v < end; ++v) {
                  if (referenced[v] == 0) continue;
-                 const SurfacePoint found = closest.find(mesh.positions[v], guess);
-                 guess = found.triangle;
-                 of_worker[worker] = std::max(of_worker[worker], found.distance);
+                 largest = std::max(largest, closest.find(mesh.positions[v]).distance);
                }
              });
   return *std::max_element(of_worker.begin(), of_worker.end());
