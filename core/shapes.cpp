@@ -151,4 +151,29 @@ Mesh torus(std::size_t triangles, std::uint64_t random_seed) {
   return mesh;
 }
 
+Mesh cylinder(std::size_t triangles, std::uint64_t random_seed) {
+  // 3 f by f cells are nearly square. Three around, with f = 1, would not make a tube.
+  const std::uint32_t f = std::max(2U, smallest_frequency(triangles, 6));
+  const std::uint32_t around = 3 * f;
+  Mesh mesh;
+  mesh.positions.reserve(std::size_t{around} * (f + 1));
+  for (std::uint32_t row = 0; row <= f; ++row) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      Point2 offset = jitter(random_seed, mesh.positions.size());
+      if (row == 0 || row == f) offset.y = 0;
+      const Point2 ring = on_unit_circle((i + offset.x) / around);
+      mesh.positions.push_back(rounded_to_float({ring.x, ring.y, 2 * (row + offset.y) / f - 1}));
+    }
+  }
+  mesh.triangles.reserve(std::size_t{2} * around * f);
+  for (std::uint32_t row = 0; row < f; ++row) {
+    const std::uint32_t here = row * around;
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t next = (i + 1) % around;
+      add_quad(mesh, here + i, here + next, here + around + next, here + around + i);
+    }
+  }
+  return mesh;
+}
+
 }  // namespace geolloyd

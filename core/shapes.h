@@ -22,6 +22,9 @@ Mesh icosphere(std::size_t triangles);
 /// Torus about the z axis, radii 1 and 0.4, irregular as the plane is.
 Mesh torus(std::size_t triangles, std::uint64_t random_seed);
 
+/// Open tube about the z axis, radius 1 and height 2, irregular as the plane is.
+Mesh cylinder(std::size_t triangles, std::uint64_t random_seed);
+
 /// A closed animal-like body of genus 0 with legs, neck, head, ears and tail. `random_seed` varies
 /// its posture.
 Mesh creature(std::size_t triangles, std::uint64_t random_seed);

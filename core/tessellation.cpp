@@ -1,6 +1,7 @@
 #include "core/tessellation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace geolloyd {
@@ -22,6 +23,21 @@ std::vector<RegionSummary> summarise_regions(const Graph& graph, const Partition
     regions[r].energy = to_energy(graph, region_score[r]);
   }
   return regions;
+}
+
+RegionSpread region_spread(std::span<const RegionSummary> regions) {
+  const auto count = static_cast<double>(regions.size());
+  double mean = 0;
+  for (const RegionSummary& region : regions) mean += region.area / count;
+  double variance = 0;
+  double smallest = regions.front().area;
+  double largest = smallest;
+  for (const RegionSummary& region : regions) {
+    variance += (region.area - mean) * (region.area - mean) / count;
+    smallest = std::min(smallest, region.area);
+    largest = std::max(largest, region.area);
+  }
+  return {std::sqrt(variance) / mean, smallest / mean, largest / mean};
 }
 
 std::vector<std::pair<RegionId, RegionId>> adjacent_regions(const Graph& graph,

@@ -23,6 +23,16 @@ std::vector<RegionSummary> summarise_regions(const Graph& graph, const Partition
                                              std::span<const NodeId> seeds,
                                              std::span<const Score> region_score);
 
+/// How even the areas of regions are, as ratios to their mean. Not numbers without area.
+struct RegionSpread {
+  double deviation = 0;  ///< standard deviation
+  double smallest = 0;
+  double largest = 0;
+};
+
+/// `regions`: at least one.
+RegionSpread region_spread(std::span<const RegionSummary> regions);
+
 /// Pairs of regions that an arc joins, the smaller first, ascending.
 std::vector<std::pair<RegionId, RegionId>> adjacent_regions(const Graph& graph,
                                                             const Partition& partition);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/random.h"
 #include "tests/naive.h"
@@ -28,6 +29,22 @@ TEST(Tessellation, SumsUpItsRegions) {
   EXPECT_NEAR(regions[1].energy, 1, 1e-6);
   using Pairs = std::vector<std::pair<RegionId, RegionId>>;
   EXPECT_EQ(adjacent_regions(graph, partition), (Pairs{{0, 1}}));
+}
+
+TEST(Tessellation, KnowsHowEvenItsRegionsAre) {
+  std::vector<RegionSummary> regions(4);
+  for (RegionSummary& region : regions) region.area = 7;
+  RegionSpread spread = region_spread(regions);
+  EXPECT_DOUBLE_EQ(spread.deviation, 0);
+  EXPECT_DOUBLE_EQ(spread.smallest, 1);
+  EXPECT_DOUBLE_EQ(spread.largest, 1);
+  regions[0].area = 1;  // with 13, 7, 7: mean 7, variance 18
+  regions[3].area = 13;
+  spread = region_spread(regions);
+  EXPECT_DOUBLE_EQ(spread.deviation, std::sqrt(18.0) / 7);
+  EXPECT_DOUBLE_EQ(spread.smallest, 1.0 / 7);
+  EXPECT_DOUBLE_EQ(spread.largest, 13.0 / 7);
+  EXPECT_TRUE(std::isnan(region_spread(std::vector<RegionSummary>(2)).deviation));
 }
 
 TEST(Tessellation, GivesAdjacentRegionsDifferentColours) {

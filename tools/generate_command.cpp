@@ -21,6 +21,7 @@ const std::vector<Named<Shape>> shape_names = {
     {"plane", irregular_plane},
     {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
     {"torus", torus},
+    {"cylinder", cylinder},
 };
 
 struct Arguments {

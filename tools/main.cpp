@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
   geolloyd::add_generate_command(program);
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);
+  geolloyd::add_quality_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

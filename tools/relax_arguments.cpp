@@ -14,6 +14,7 @@ namespace {
 constexpr const char* seed_group = "Seeds";
 constexpr const char* graph_group = "Graph";
 constexpr const char* relaxation_group = "Relaxation";
+constexpr const char* thread_group = "Threads (they never change a result)";
 
 }  // namespace
 
@@ -99,21 +100,24 @@ void add_engine_option(CLI::App& command, RelaxArguments& a) {
 }
 
 void add_thread_options(CLI::App& command, RelaxArguments& a) {
-  const char* group = "Threads (they never change a result)";
   one_of(command.add_option("--frontier", a.frontier,
                             "How the parallel engine finds regions: heap and delta from\n"
                             "scratch, regions only where something changed"),
          frontier_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(thread_group);
+  add_scheduler_options(command, a);
+}
+
+void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
   command.add_option("--threads", a.threads, "How many (default: all the machine has)")
       ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
       ->type_name("NUMBER")
-      ->group(group);
+      ->group(thread_group);
   one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
          backend_names)
       ->capture_default_str()
-      ->group(group);
+      ->group(thread_group);
 }
 
 void check_arguments(const RelaxArguments& a) {

@@ -42,7 +42,8 @@ void add_metric_options(CLI::App& command, RelaxArguments& a);
 void add_relaxation_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
 void add_limit_options(CLI::App& command, RelaxArguments& a);
 void add_engine_option(CLI::App& command, RelaxArguments& a);
-void add_thread_options(CLI::App& command, RelaxArguments& a);
+void add_thread_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
+void add_scheduler_options(CLI::App& command, RelaxArguments& a);
 
 /// Throws InvalidInput where options contradict each other.
 void check_arguments(const RelaxArguments& a);

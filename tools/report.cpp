@@ -9,29 +9,6 @@
 namespace geolloyd {
 namespace {
 
-Json input_part(const RunRecord& run) {
-  const MeshFacts& facts = run.facts;
-  return {{"file", run.arguments.mesh.string()},
-          {"format", run.input.format},
-          {"vertices", facts.vertices},
-          {"edges", facts.edges},
-          {"triangles", facts.triangles},
-          {"polygons_split", run.input.polygon_count},
-          {"corners_welded", run.input.welded_corners},
-          {"unreferenced_vertices", facts.unreferenced_vertices},
-          {"repeated_vertex_triangles", facts.repeated_vertex_triangles},
-          {"zero_area_triangles", facts.zero_area_triangles},
-          {"duplicate_triangles", facts.duplicate_triangles},
-          {"boundary_edges", facts.boundary_edges},
-          {"non_manifold_edges", facts.non_manifold_edges},
-          {"inconsistent_edges", facts.inconsistent_edges},
-          {"zero_length_edges", facts.zero_length_edges},
-          {"components", facts.components},
-          {"euler_characteristic", facts.euler_characteristic},
-          {"area", facts.area},
-          {"bounding_diagonal", facts.bounding_diagonal}};
-}
-
 Json engine_part(const RunRecord& run) {
   const RelaxArguments& a = run.arguments;
   const bool parallel = value_of(engine_names, a.engine) == EngineKind::parallel;
@@ -97,7 +74,7 @@ Json make_report(const RunRecord& run) {
   Json report;
   report["program"] = "geolloyd " GEOLLOYD_VERSION;
   report["machine"] = machine_part();
-  report["input"] = input_part(run);
+  report["input"] = mesh_part(run.arguments.mesh, run.input, run.facts);
   report["options"] = engine_part(run);
   report["options"].update(options_part(run.arguments, run.regions.size()));
   report["graph"] = graph_part(run.mesh_graph.graph, run.components);

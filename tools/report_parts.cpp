@@ -28,6 +28,28 @@ Json machine_part() {
           {"compiler", m.compiler}};
 }
 
+Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts) {
+  return {{"file", file.string()},
+          {"format", input.format},
+          {"vertices", facts.vertices},
+          {"edges", facts.edges},
+          {"triangles", facts.triangles},
+          {"polygons_split", input.polygon_count},
+          {"corners_welded", input.welded_corners},
+          {"unreferenced_vertices", facts.unreferenced_vertices},
+          {"repeated_vertex_triangles", facts.repeated_vertex_triangles},
+          {"zero_area_triangles", facts.zero_area_triangles},
+          {"duplicate_triangles", facts.duplicate_triangles},
+          {"boundary_edges", facts.boundary_edges},
+          {"non_manifold_edges", facts.non_manifold_edges},
+          {"inconsistent_edges", facts.inconsistent_edges},
+          {"zero_length_edges", facts.zero_length_edges},
+          {"components", facts.components},
+          {"euler_characteristic", facts.euler_characteristic},
+          {"area", facts.area},
+          {"bounding_diagonal", facts.bounding_diagonal}};
+}
+
 Json graph_part(const Graph& graph, std::size_t components) {
   return {{"nodes", graph.node_count()},
           {"arcs", graph.arc_count()},

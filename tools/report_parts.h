@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
@@ -14,6 +15,7 @@ using Json = nlohmann::ordered_json;
 // What the JSON files of several commands have in common; the README lists the keys.
 
 Json machine_part();
+Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts);
 Json graph_part(const Graph& graph, std::size_t components);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// What was asked for, but for the engine.

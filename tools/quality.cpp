@@ -1,0 +1,83 @@
+#include "tools/quality.h"
+
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/mesh_edges_on.h"
+#include "core/mesh_measure.h"
+#include "parallel/mesh_check.h"
+#include "parallel/mesh_edges.h"
+#include "parallel/primitives.h"
+#include "tools/hexagonal_energy.h"
+#include "tools/site_energy.h"
+
+namespace geolloyd {
+namespace {
+
+MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& scheduler,
+               ProgressLine& progress) {
+  progress.stage("reading " + file.string());
+  mesh.file = file;
+  mesh.input = read_mesh(file);
+  MeshEdges edges = find_edges(scheduler, mesh.input.mesh);
+  mesh.facts = check_mesh(scheduler, mesh.input.mesh, edges);
+  return edges;
+}
+
+void require_area(const MeshFile& mesh) {
+  if (mesh.facts.area > 0) return;
+  throw InvalidInput(mesh.file.string() + ": no triangle with an area, so no distance to measure");
+}
+
+std::vector<Vec3> sites_of(const Mesh& remesh, Scheduler& scheduler) {
+  const std::vector<std::uint8_t> referenced = referenced_vertices(scheduler, remesh);
+  std::vector<Vec3> sites;
+  for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
+    if (referenced[v] != 0) sites.push_back(remesh.positions[v]);
+  }
+  return sites;
+}
+
+// Of the remesh's vertices, and of the hexagonal tiling with as many regions.
+void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
+                    Likeness& likeness) {
+  const Mesh& mesh = likeness.original.input.mesh;
+  const Buffer<double> areas = triangle_areas_on(scheduler, mesh, edges.duplicates);
+  const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
+  const std::vector<Vec3> sites = sites_of(remesh, scheduler);
+  const double area = likeness.original.facts.area;
+  likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
+  likeness.hexagonal = hexagonal_energy(area, area, sites.size());
+}
+
+Likeness compare(const MeshFile& remesh, const std::filesystem::path& original, std::size_t samples,
+                 Scheduler& scheduler, ProgressLine& progress) {
+  Likeness likeness;
+  const MeshEdges edges = load(original, likeness.original, scheduler, progress);
+  require_area(remesh);
+  require_area(likeness.original);
+  progress.stage("measuring distances");
+  likeness.samples = samples;
+  likeness.distance =
+      measure_distance(scheduler, remesh.input.mesh, likeness.original.input.mesh, samples);
+  progress.stage("measuring energy");
+  measure_energy(remesh.input.mesh, edges, scheduler, likeness);
+  return likeness;
+}
+
+}  // namespace
+
+QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::path& original,
+                    std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
+  QualityRecord record;
+  const MeshEdges edges = load(remesh, record.remesh, scheduler, progress);
+  record.quality = measure_quality(record.remesh.input.mesh, edges);
+  if (!original.empty()) {
+    record.likeness = compare(record.remesh, original, samples, scheduler, progress);
+  }
+  progress.clear();
+  return record;
+}
+
+}  // namespace geolloyd
