@@ -51,12 +51,12 @@ void expect_nearest_as_by_force(const std::vector<Vec3>& sites, double half) {
   const NearestSite nearest(sites);
   std::vector<Vec3> asked = sites;
   for (const double far : {1.0, 10.0, 1e4, 1e7, 1e12, 1e20, 1e44}) {
-    for (const Vec3& p : random_points(9, 100, far)) asked.push_back(p * half);
+    for (const Vec3& p : random_points(9, 100, far)) asked.emplace_back(p * half);
   }
   for (std::size_t i = 0; i < 200; ++i) {
     const Vec3& a = sites[random_bits(7, i) % sites.size()];
     const Vec3& b = sites[random_bits(8, i) % sites.size()];
-    asked.push_back((a + b) / 2);
+    asked.emplace_back((a + b) / 2);
   }
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const auto guess = static_cast<std::uint32_t>(random_bits(5, i) % sites.size());
@@ -90,10 +90,11 @@ TEST(NearestSite, TakesTheSmallerIndexOfEquals) {
 TEST(NearestSite, FindsOneSiteAndSitesThatAreAllButEqual) {
   expect_nearest_as_by_force({Vec3(1e30, -1e30, 5)}, 1e30);
   std::vector<Vec3> line;
+  line.reserve(100);
   for (int i = 0; i < 100; ++i) line.emplace_back(1e9 + i * 1e-3, 0, 0);
   expect_nearest_as_by_force(line, 1);
   std::vector<Vec3> dense = random_points(3, 200, 1e-9);
-  dense.push_back(Vec3(1, 1, 1));  // so that 24 bits do not tell the others apart
+  dense.emplace_back(1, 1, 1);  // so that 24 bits do not tell the others apart
   expect_nearest_as_by_force(dense, 1e-9);
 }
 
@@ -133,7 +134,7 @@ void expect_closest_as_by_force(const Mesh& mesh, const std::vector<Vec3>& asked
 // Triangles at random, some of them long and thin, segments and points.
 Mesh random_soup(std::uint64_t random_seed, std::size_t triangles, double half) {
   Mesh mesh;
-  for (std::uint32_t t = 0; t < triangles; ++t) {
+  for (std::size_t t = 0; t < triangles; ++t) {
     const Vec3 a = random_point(random_seed, 3 * t, half);
     const Vec3 b = a + random_point(random_seed, 3 * t + 1, half / 5);
     const Vec3 aside = random_point(random_seed, 3 * t + 2, half / 5);
@@ -141,7 +142,7 @@ Mesh random_soup(std::uint64_t random_seed, std::size_t triangles, double half) 
                    : t % 5 == 1 ? Vec3(b + 1e-12 * aside)
                                 : Vec3(a + aside);
     mesh.positions.insert(mesh.positions.end(), {a, t % 7 == 0 ? a : b, t % 21 == 0 ? a : c});
-    const VertexId v = 3 * t;
+    const auto v = static_cast<VertexId>(3 * t);
     mesh.triangles.push_back(t % 11 == 0 ? Triangle{v, v, v + 2} : Triangle{v, v + 1, v + 2});
   }
   return mesh;

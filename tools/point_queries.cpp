@@ -41,7 +41,7 @@ void search(RTCScene scene, const Vec3& q, Nearest& nearest) {
   query.y = to_float(q.y());
   query.z = to_float(q.z());
   query.radius = search_radius(q, nearest.distance());
-  RTCPointQueryContext context;
+  RTCPointQueryContext context{};
   rtcInitPointQueryContext(&context);
   const auto visit = [](RTCPointQueryFunctionArguments* found) {
     const auto& [at, best] = *static_cast<Search*>(found->userPtr);
