@@ -116,6 +116,22 @@ void add_thread_options(CLI::App& command, RelaxArguments& a) {
       ->group(group);
 }
 
+void add_picture_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Pictures";
+  command
+      .add_option("--view", a.view,
+                  "From where: front, back, left, right, top, bottom, or\n"
+                  "AZIMUTH,ELEVATION in degrees; front is along the shortest side")
+      ->type_name("VIEW")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--size", a.size, "WIDTH, as high as the mesh needs it, or WIDTHxHEIGHT, pixels")
+      ->type_name("SIZE")
+      ->capture_default_str()
+      ->group(group);
+}
+
 void check_arguments(const RelaxArguments& a) {
   if (a.seeds == 0 && a.seeds_file.empty()) {
     throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");

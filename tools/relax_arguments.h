@@ -14,6 +14,9 @@ struct RelaxArguments {
   std::filesystem::path mesh;
   std::filesystem::path output;
   std::filesystem::path picture;
+  std::filesystem::path frames;  ///< a folder
+  std::string view = "25,15";
+  std::string size = "1280";
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";
@@ -41,6 +44,7 @@ void add_relaxation_options(CLI::App& command, RelaxArguments& a);  // with thos
 void add_limit_options(CLI::App& command, RelaxArguments& a);
 void add_engine_option(CLI::App& command, RelaxArguments& a);
 void add_thread_options(CLI::App& command, RelaxArguments& a);
+void add_picture_options(CLI::App& command, RelaxArguments& a);  // how pictures look
 
 /// Throws InvalidInput where options contradict each other.
 void check_arguments(const RelaxArguments& a);

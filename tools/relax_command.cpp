@@ -110,7 +110,7 @@ void run_relax(const RelaxArguments& arguments) {
   write_report(run);
   if (!arguments.picture.empty()) {
     progress.stage("drawing " + arguments.picture.string());
-    write_picture(arguments.picture, run);
+    write_picture(arguments.picture, run, scheduler);
   }
   progress.clear();
   print_summary(run);
@@ -136,6 +136,7 @@ void add_relax_command(CLI::App& program) {
   add_relaxation_options(*command, *arguments);
   add_engine_option(*command, *arguments);
   add_thread_options(*command, *arguments);
+  add_picture_options(*command, *arguments);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far.\n"
       "To go on from there: --seeds-file DIR/seeds.csv");
