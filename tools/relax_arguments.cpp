@@ -2,6 +2,7 @@
 
 #include "core/errors.h"
 #include "tools/choice_option.h"
+#include "tools/render/view.h"
 
 namespace geolloyd {
 
@@ -139,6 +140,8 @@ void check_arguments(const RelaxArguments& a) {
   if (a.seeds != 0 && !a.seeds_file.empty()) {
     throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
   }
+  parse_view(a.view);
+  parse_size(a.size);
 }
 
 RelaxationOptions relaxation_options(const RelaxArguments& a) {

@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 
 #include <memory>
+#include <optional>
 
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/frames.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
@@ -29,7 +31,10 @@ void relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds
   run.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
   const auto engine =
       make_engine(kind, value_of(frontier_names, run.arguments.frontier), scheduler, graph);
-  run.relaxation = relax(graph, *engine, std::move(seeds), relaxation_options(run.arguments),
+  std::optional<FramesEngine> frames;
+  if (!run.arguments.frames.empty()) frames.emplace(*engine, run, scheduler);
+  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *engine;
+  run.relaxation = relax(graph, chosen, std::move(seeds), relaxation_options(run.arguments),
                          [&](const Progress& p) {
                            progress.show(p, count);
                            return !interrupted();
@@ -84,6 +89,10 @@ void print_summary(const RunRecord& run) {
   if (!run.arguments.picture.empty()) {
     fmt::print("  {:<12}{}\n", "", run.arguments.picture.string());
   }
+  if (!run.arguments.frames.empty()) {
+    fmt::print("  {:<12}{}/: {}\n", "", run.arguments.frames.string(),
+               counted(result.steps.size(), "frame", "frames"));
+  }
 }
 
 void run_relax(const RelaxArguments& arguments) {
@@ -131,6 +140,10 @@ void add_relax_command(CLI::App& program) {
       ->required();
   command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
       ->type_name("FILE");
+  command
+      ->add_option("--frames", arguments->frames,
+                   "Folder for a picture of the start of each step, NNN-PHASE.png")
+      ->type_name("FOLDER");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);

@@ -23,9 +23,8 @@ constexpr Colour orange = {220, 105, 15};
 
 constexpr double edge_half_width = 0.45;
 constexpr double border_half_width = 0.6;
-constexpr double least_branch_area = 5;  // square pixels of surface reached by an arc
+constexpr double least_branch_area = 20;  // square pixels of surface reached by an arc
 constexpr double field_half_width = 0.8;
-constexpr double field_spacing = 16;
 
 Stroke dot(const Vec3& centre, double radius) {
   return {centre, centre, radius};
@@ -103,27 +102,44 @@ Canvas paint_shown(const Scene& scene, std::span<const RegionId> shown,
   return canvas;
 }
 
-// A light rim keeps dark dots visible on dark colours.
-void draw_dots(std::span<const Vec3> centre, double radius, const Colour& colour, const Colour& rim,
+bool is_visible(const Scene& scene, const Vec3& p) {
+  const int column = static_cast<int>(std::floor(p.x() * SampleGrid::per_side));
+  const int row = static_cast<int>(std::floor(p.y() * SampleGrid::per_side));
+  if (column < 0 || row < 0 || column >= scene.grid.columns() || row >= scene.grid.rows()) {
+    return false;
+  }
+  const RayHit& hit = scene.hit[scene.grid.index(column, row)];
+  constexpr double tolerance = 2;  // pixels
+  return hit.triangle != no_id && p.z() <= hit.z + tolerance;
+}
+
+// At places in mesh units; whole or, where the centre is hidden, not at all. A rim keeps them
+// visible on any colour.
+void draw_dots(std::span<const Vec3> places, double radius, const Colour& colour, const Colour& rim,
                const Scene& scene, Canvas& canvas, Scheduler& scheduler) {
   std::vector<Stroke> inner;
   std::vector<Stroke> outer;
-  for (const Vec3& c : centre) {
-    inner.push_back(dot(c, radius));
-    outer.push_back(dot(c, radius + std::min(1.0, 0.4 * radius)));
+  for (const Vec3& place : places) {
+    const Vec3 centre = scene.camera(place);
+    if (!is_visible(scene, centre)) continue;
+    inner.push_back(dot(centre, radius));
+    outer.push_back(dot(centre, radius + std::min(1.0, 0.4 * radius)));
   }
   draw(outer, {rim, 0.9}, scene, canvas, scheduler);
   draw(inner, {colour, 1}, scene, canvas, scheduler);
 }
 
+std::vector<Vec3> positions_of(const PartitionView& view) {
+  std::vector<Vec3> positions;
+  positions.reserve(view.seeds.size());
+  for (const NodeId seed : view.seeds) positions.push_back(view.mesh_graph.position[seed]);
+  return positions;
+}
+
 void draw_seeds(const PartitionView& view, std::span<const RegionId> shown, const Scene& scene,
                 Canvas& canvas, Scheduler& scheduler) {
-  std::vector<Vec3> centre;
-  centre.reserve(view.seeds.size());
-  for (const NodeId seed : view.seeds) {
-    centre.push_back(scene.camera(view.mesh_graph.position[seed]));
-  }
-  draw_dots(centre, dot_radius(shown, view.seeds.size()), black, white, scene, canvas, scheduler);
+  draw_dots(positions_of(view), dot_radius(shown, view.seeds.size()), black, white, scene, canvas,
+            scheduler);
 }
 
 SubtreeSums subtrees(const Graph& graph, const Partition& partition) {
@@ -155,18 +171,8 @@ std::vector<Stroke> branches(const PartitionView& view, const Scene& scene) {
   return strokes;
 }
 
-bool is_visible(const Scene& scene, const Vec3& p) {
-  const int column = static_cast<int>(std::floor(p.x() * SampleGrid::per_side));
-  const int row = static_cast<int>(std::floor(p.y() * SampleGrid::per_side));
-  if (column < 0 || row < 0 || column >= scene.grid.columns() || row >= scene.grid.rows()) {
-    return false;
-  }
-  const RayHit& hit = scene.hit[scene.grid.index(column, row)];
-  return hit.triangle != no_id && p.z() <= hit.z + 2;
-}
-
 // Of the vertices that are seen, in random order, each that is far enough from all before it.
-std::vector<VertexId> evenly_spread_vertices(const Scene& scene) {
+std::vector<VertexId> evenly_spread_vertices(const Scene& scene, double spacing) {
   const std::vector<Vec3>& position = scene.mesh.positions;
   std::vector<VertexId> order;
   for (VertexId v = 0; v < position.size(); ++v) {
@@ -174,7 +180,7 @@ std::vector<VertexId> evenly_spread_vertices(const Scene& scene) {
   }
   std::sort(order.begin(), order.end(),
             [](VertexId a, VertexId b) { return random_bits(0, a) < random_bits(0, b); });
-  const auto cell = [](double pixels) { return static_cast<int>(pixels / field_spacing); };
+  const auto cell = [&](double pixels) { return static_cast<int>(pixels / spacing); };
   std::map<std::pair<int, int>, std::vector<VertexId>> chosen_in;
   std::vector<VertexId> chosen;
   for (const VertexId v : order) {
@@ -185,7 +191,7 @@ std::vector<VertexId> evenly_spread_vertices(const Scene& scene) {
         const auto found = chosen_in.find({cell(p.x()) + dx, cell(p.y()) + dy});
         if (found == chosen_in.end()) continue;
         for (const VertexId u : found->second) {
-          is_free = is_free && (position[u] - p).head<2>().norm() >= field_spacing;
+          is_free = is_free && (position[u] - p).head<2>().norm() >= spacing;
         }
       }
     }
@@ -196,12 +202,12 @@ std::vector<VertexId> evenly_spread_vertices(const Scene& scene) {
   return chosen;
 }
 
-double longest_magnitude(std::span<const TangentSpace> vertex_space) {
-  double longest = 0;
+double largest_magnitude(std::span<const TangentSpace> vertex_space) {
+  double largest = 0;
   for (const TangentSpace& space : vertex_space) {
-    longest = std::max({longest, space.tangent_magnitude, space.bitangent_magnitude});
+    largest = std::max({largest, space.tangent_magnitude, space.bitangent_magnitude});
   }
-  return longest > 0 ? longest : 1;
+  return largest > 0 ? largest : 1;
 }
 
 }  // namespace
@@ -235,21 +241,36 @@ Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& sch
 
 Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
                    Scheduler& scheduler) {
-  std::vector<Stroke> tangents;
-  std::vector<Stroke> bitangents;
-  const double longest = longest_magnitude(vertex_space);
-  for (const VertexId v : evenly_spread_vertices(scene)) {
+  const double spacing = std::clamp(scene.grid.size.width / 45.0, 10.0, 28.0);
+  const double scale = 0.5 * spacing / largest_magnitude(vertex_space);
+  std::vector<Stroke> larger;
+  std::vector<Stroke> smaller;
+  for (const VertexId v : evenly_spread_vertices(scene, spacing)) {
     const TangentSpace& space = vertex_space[v];
     const auto stroke = [&](const Vec3& direction, double magnitude) -> Stroke {
-      const Vec3 half = scene.camera.axes(direction) * (0.5 * field_spacing * magnitude / longest);
+      const Vec3 half = scene.camera.axes(direction) * (scale * magnitude);
       return {scene.mesh.positions[v] - half, scene.mesh.positions[v] + half, field_half_width};
     };
-    tangents.push_back(stroke(space.tangent, space.tangent_magnitude));
-    bitangents.push_back(stroke(space.bitangent, space.bitangent_magnitude));
+    const bool in_order = space.tangent_magnitude >= space.bitangent_magnitude;
+    (in_order ? larger : smaller).push_back(stroke(space.tangent, space.tangent_magnitude));
+    (in_order ? smaller : larger).push_back(stroke(space.bitangent, space.bitangent_magnitude));
   }
   Canvas canvas = paint_surface(scene, scheduler);
-  draw(bitangents, {orange, 1}, scene, canvas, scheduler);
-  draw(tangents, {blue, 1}, scene, canvas, scheduler);
+  draw(smaller, {orange, 1}, scene, canvas, scheduler);
+  draw(larger, {blue, 1}, scene, canvas, scheduler);
+  return canvas;
+}
+
+Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
+                          std::span<const Vec3> centroid, const Scene& scene,
+                          Scheduler& scheduler) {
+  const std::vector<Vec3> seeds = positions_of(view);
+  const std::vector<RegionId> shown =
+      show_nearest(scene, view.mesh_graph, region_of_node, seeds, scheduler);
+  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, scheduler);
+  const double radius = dot_radius(shown, seeds.size());
+  draw_dots(seeds, radius, white, black, scene, canvas, scheduler);
+  draw_dots(centroid, radius, black, white, scene, canvas, scheduler);
   return canvas;
 }
 

@@ -34,8 +34,14 @@ Canvas paint_regions(const PartitionView& view, const Scene& scene, Scheduler& s
 /// out.
 Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& scheduler);
 
-/// Both directions of a tangent field at vertices evenly spaced in the picture, tangents blue,
-/// bitangents orange, as long as their magnitudes.
+/// The regions of points that are nearest to a seed through space, seeds as light dots, the
+/// centroids of these regions (mesh units, on the surface) as dark ones: where a seed is at its
+/// centroid, that hides it.
+Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
+                          std::span<const Vec3> centroid, const Scene& scene, Scheduler& scheduler);
+
+/// Both directions of a tangent field at vertices evenly spread over the picture, as long as their
+/// magnitudes: the one of larger magnitude blue, the other orange.
 Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
                    Scheduler& scheduler);
 

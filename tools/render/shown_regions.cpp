@@ -24,6 +24,15 @@ struct Nearest {
 struct Places {
   std::vector<Nearest> vertex;    // per vertex
   std::vector<Nearest> triangle;  // per triangle, or none
+
+  // Most triangles are inside a region: that region; else no_id.
+  [[nodiscard]] RegionId only_region(const Mesh& mesh, TriangleId triangle_id) const {
+    const Triangle& t = mesh.triangles[triangle_id];
+    const RegionId region = vertex[t[0]].region;
+    const bool is_only = vertex[t[1]].region == region && vertex[t[2]].region == region &&
+                         (triangle.empty() || triangle[triangle_id].region == region);
+    return is_only ? region : no_id;
+  }
 };
 
 Vec3 centre_of(const Mesh& mesh, std::size_t triangle) {
@@ -72,10 +81,6 @@ struct Corners {
   };
   std::array<Corner, 3> corner;
 
-  [[nodiscard]] bool is_inside_a_region() const {
-    return corner[1].nearest.region == corner[0].nearest.region &&
-           corner[2].nearest.region == corner[0].nearest.region;
-  }
   [[nodiscard]] bool has_gap() const {
     return std::any_of(corner.begin(), corner.end(),
                        [](const Corner& c) { return c.nearest.region == no_id; });
@@ -114,9 +119,11 @@ std::vector<RegionId> show(const Scene& scene, const Places& places, Scheduler& 
   std::vector<RegionId> shown(scene.hit.size(), no_id);
   for_items(scheduler, shown.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle == no_id) return;
+    shown[i] = places.only_region(scene.mesh, scene.hit[i].triangle);
+    if (shown[i] != no_id) return;
     const Corners corners = corners_around(scene.hit[i], scene.mesh, places);
     shown[i] = corners.corner[0].nearest.region;
-    if (corners.is_inside_a_region() || corners.has_gap()) return;
+    if (corners.has_gap()) return;
     double least = std::numeric_limits<double>::infinity();
     for (const Corners::Corner& c : corners.corner) {
       const double distance = distance_of(c.nearest.region, corners);
