@@ -33,15 +33,16 @@ class Pictures : public Program {
 TEST_F(Pictures, AreAsLargeAsWasAsked) {
   EXPECT_EQ(render("--size 200x100").status, 0);
   EXPECT_EQ(size_of(png()), (std::pair{200U, 100U}));
-  EXPECT_EQ(render("--size 200 --view top").status, 0);
+  EXPECT_EQ(render("--size 200 --view front").status, 0);
   EXPECT_EQ(size_of(png()).first, 200U);
-  EXPECT_NEAR(size_of(png()).second, 200, 8);  // a torus from above
+  EXPECT_NEAR(size_of(png()).second, 200, 8);  // a torus about the shortest side
 }
 
 TEST_F(Pictures, ShowSeveralPanelsOfAllGraphs) {
   for (const std::string graph : {"vertex", "triangle-dense", "mixed"}) {
-    const Outcome outcome = render("--seeds 9 --size 400x300 --panel surface --panel mesh -g " +
-                                   graph + " --panel 'trees=Bäume' --panel regions=");
+    const Outcome outcome =
+        render("--seeds 9 --size 400x300 --panel surface --panel mesh -g " + graph +
+               " --panel 'trees=Bäume' --panel regions= --panel ground-truth");
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_EQ(outcome.text, "");
     EXPECT_EQ(size_of(png()), (std::pair{400U, 300U}));

@@ -27,13 +27,6 @@ std::size_t seed_count(std::string_view text, const std::string& item) {
 
 }  // namespace
 
-void Spread::add(double value) {
-  min_ = count_ == 0 ? value : std::min(min_, value);
-  max_ = count_ == 0 ? value : std::max(max_, value);
-  sum_ += value;
-  ++count_;
-}
-
 void BatchRow::add(const Relaxation& relaxation, double elapsed) {
   const StepCounts steps = count_steps(relaxation);
   ++batches;

@@ -7,23 +7,9 @@
 
 #include "core/relaxation.h"
 #include "tools/report_parts.h"
+#include "tools/spread.h"
 
 namespace geolloyd {
-
-/// Smallest, mean and largest of some values.
-class Spread {
- public:
-  void add(double value);
-  [[nodiscard]] double min() const { return min_; }
-  [[nodiscard]] double mean() const { return sum_ / static_cast<double>(count_); }
-  [[nodiscard]] double max() const { return max_; }
-
- private:
-  double min_ = 0;
-  double max_ = 0;
-  double sum_ = 0;
-  std::size_t count_ = 0;
-};
 
 /// What is varied in the thesis's experiment (section 6.3), but for the first seeds.
 struct Configuration {

@@ -13,6 +13,7 @@ void add_verify_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_profile_command(CLI::App& program);
 void add_batch_command(CLI::App& program);
+void add_ground_truth_command(CLI::App& program);
 void add_generate_command(CLI::App& program);
 void add_subdivide_command(CLI::App& program);
 void add_info_command(CLI::App& program);

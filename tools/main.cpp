@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   geolloyd::add_compare_command(program);
   geolloyd::add_profile_command(program);
   geolloyd::add_batch_command(program);
+  geolloyd::add_ground_truth_command(program);
   geolloyd::add_generate_command(program);
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);

@@ -17,6 +17,7 @@ struct RelaxArguments {
   std::filesystem::path frames;  ///< a folder
   std::string view = "25,15";
   std::string size = "1280";
+  bool ground_truth = false;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";

@@ -7,6 +7,7 @@
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/frames.h"
+#include "tools/ground_truth_output.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
@@ -78,12 +79,14 @@ void print_summary(const RunRecord& run) {
              hexagonal > 0
                  ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");
+  if (run.ground_truth) fmt::print("{}", describe(*run.ground_truth));
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
-  fmt::print(
-      "  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, write {:.2f}; "
-      "{:.0f} MB, {}\n",
-      "time", s.total, s.load, s.graph, s.seeds, s.relax, s.write,
-      static_cast<double>(run.peak_memory_bytes) * 1e-6, counted(run.threads, "thread", "threads"));
+  fmt::print("  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, ",
+             "time", s.total, s.load, s.graph, s.seeds, s.relax);
+  if (run.ground_truth) fmt::print("ground truth {:.2f}, ", s.ground_truth);
+  fmt::print("write {:.2f}; {:.0f} MB, {}\n", s.write,
+             static_cast<double>(run.peak_memory_bytes) * 1e-6,
+             counted(run.threads, "thread", "threads"));
   fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv report.json\n", "written",
              run.arguments.output.string());
   if (!run.arguments.picture.empty()) {
@@ -106,6 +109,7 @@ void run_relax(const RelaxArguments& arguments) {
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
   relax_seeds(run, scheduler, std::move(seeds), progress);
+  if (arguments.ground_truth) find_ground_truth(run, scheduler, progress);
 
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
@@ -144,6 +148,8 @@ void add_relax_command(CLI::App& program) {
       ->add_option("--frames", arguments->frames,
                    "Folder for a picture of the start of each step, NNN-PHASE.png")
       ->type_name("FOLDER");
+  command->add_flag("--ground-truth", arguments->ground_truth,
+                    "Judge the result by the regions of Euclidean distance");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);

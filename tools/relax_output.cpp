@@ -3,7 +3,6 @@
 #include <array>
 #include <span>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "core/file_writer.h"
@@ -11,27 +10,13 @@
 #include "tools/frames.h"
 #include "tools/output_folder.h"
 #include "tools/report.h"
+#include "tools/rows.h"
 
 namespace geolloyd {
 namespace {
 
 constexpr std::array<const char*, 4> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                      "report.json"};
-
-std::string_view kind_of(const MeshGraph& mesh_graph, std::uint32_t input_id) {
-  return mesh_graph.is_triangle(input_id) ? "triangle" : "vertex";
-}
-
-template <class First, class... Rest>
-void write_row(FileWriter& out, const First& first, const Rest&... rest) {
-  if constexpr (std::is_arithmetic_v<First>) {
-    out.number(first);
-  } else {
-    out.text(first);
-  }
-  out.text(sizeof...(rest) == 0 ? "\n" : ",");
-  if constexpr (sizeof...(rest) > 0) write_row(out, rest...);
-}
 
 void write_seeds(const RunRecord& run, FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");

@@ -5,6 +5,7 @@
 #include "core/errors.h"
 #include "core/tangent_field_file.h"
 #include "tools/commands.h"
+#include "tools/ground_truth.h"
 #include "tools/labels.h"
 #include "tools/measured_run.h"
 #include "tools/output_folder.h"
@@ -81,6 +82,12 @@ class Renderer {
         return paint_regions(view, scene, scheduler_);
       case PanelKind::trees:
         return paint_trees(view, scene, scheduler_);
+      case PanelKind::ground_truth: {
+        const GroundTruth truth =
+            make_ground_truth(scheduler_, run_.input.mesh, run_.mesh_graph,
+                              run_.relaxation.partition, run_.relaxation.seeds);
+        return paint_ground_truth(view, truth.region, truth.surface_centroid, scene, scheduler_);
+      }
       case PanelKind::field:
         return paint_field(
             read_tangent_field(run_.arguments.vfield, run_.input.mesh.vertex_count()), scene,
@@ -129,8 +136,8 @@ void add_render_command(CLI::App& program) {
   command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
   command
       ->add_option("--panel", a->panels,
-                   "What to show, surface|mesh|regions|trees|field; several\n"
-                   "panels stand side by side. NAME=CAPTION puts text below one")
+                   "What to show, surface|mesh|regions|trees|ground-truth|field;\n"
+                   "several panels stand side by side. NAME=CAPTION puts text below one")
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_picture_options(*command, a->relax);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/ground_truth_output.h"
 #include "tools/names.h"
 #include "tools/report_parts.h"
 
@@ -76,10 +77,15 @@ Json make_report(const RunRecord& run) {
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;
   report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);
+  if (run.ground_truth) report["ground_truth"] = ground_truth_part(*run.ground_truth);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
-  report["seconds"] = {{"load", run.seconds.load},   {"graph", run.seconds.graph},
-                       {"seeds", run.seconds.seeds}, {"relax", run.seconds.relax},
-                       {"write", run.seconds.write}, {"total", run.seconds.total}};
+  report["seconds"] = {{"load", run.seconds.load},
+                       {"graph", run.seconds.graph},
+                       {"seeds", run.seconds.seeds},
+                       {"relax", run.seconds.relax},
+                       {"ground_truth", run.seconds.ground_truth},
+                       {"write", run.seconds.write},
+                       {"total", run.seconds.total}};
   report["peak_memory_bytes"] = run.peak_memory_bytes;
   report["trace"] = trace_part(relaxation);
   return report;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/mesh_check.h"
@@ -8,6 +9,8 @@
 #include "core/mesh_io.h"
 #include "core/relaxation.h"
 #include "core/tessellation.h"
+#include "tools/ground_truth.h"
+#include "tools/hexagonal_energy.h"
 #include "tools/relax_arguments.h"
 
 namespace geolloyd {
@@ -17,6 +20,7 @@ struct StageSeconds {
   double graph = 0;
   double seeds = 0;
   double relax = 0;
+  double ground_truth = 0;
   double write = 0;
   double total = 0;
 };
@@ -32,16 +36,16 @@ struct RunRecord {
   std::size_t threads = 0;  ///< of the relaxation
   std::vector<RegionSummary> regions;
   std::vector<Label> labels;  ///< per input id
+  std::optional<GroundTruth> ground_truth;
   StageSeconds seconds;
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };
 
-/// Energy of a regular hexagonal tiling of the plane with as much area and as many regions.
-/// 0.160375 is that of one regular hexagon of unit area and unit density, 5 / (18 sqrt 3).
+/// That of the hexagonal tiling with as much area and as many regions.
 inline double hexagonal_energy(const RunRecord& run) {
   double mass = 0;
   for (const RegionSummary& region : run.regions) mass += region.area;
-  return 0.160375 * mass * run.facts.area / static_cast<double>(run.regions.size());
+  return hexagonal_energy(mass, run.facts.area, run.regions.size());
 }
 
 }  // namespace geolloyd

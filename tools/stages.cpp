@@ -70,4 +70,12 @@ std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& 
   return first_seeds(run, scheduler);
 }
 
+void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {
+  progress.stage("finding the ground truth");
+  const Stopwatch watch;
+  run.ground_truth = make_ground_truth(scheduler, run.input.mesh, run.mesh_graph,
+                                       run.relaxation.partition, run.relaxation.seeds);
+  run.seconds.ground_truth = watch.seconds();
+}
+
 }  // namespace geolloyd

@@ -21,4 +21,7 @@ void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges);
 /// returns them. Fills in what `run` has to say of these stages.
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
 
+/// Of the relaxation's seeds and partition.
+void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
+
 }  // namespace geolloyd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "core/bounding_box.h"
@@ -16,7 +17,8 @@ struct UnitFrame {
     const BoundingBox box = bounding_box(positions);
     const double widest = box.extent().maxCoeff();
     middle = box.middle();
-    scale = widest > 0 ? 1 / widest : 1;
+    // A denormal extent has no reciprocal; no extent is as good.
+    scale = widest >= std::numeric_limits<double>::min() ? 1 / widest : 1;
   }
 
   [[nodiscard]] Vec3 operator()(const Vec3& p) const { return (p - middle) * scale; }
