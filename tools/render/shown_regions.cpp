@@ -20,6 +20,9 @@ struct Nearest {
   }
 };
 
+// Pixels; less is rounding.
+constexpr double doubt = 1e-4;
+
 // Nodes of the graph and, where vertices are none, vertices.
 struct Places {
   std::vector<Nearest> vertex;    // per vertex
@@ -127,7 +130,7 @@ std::vector<RegionId> show(const Scene& scene, const Places& places, Scheduler& 
     double least = std::numeric_limits<double>::infinity();
     for (const Corners::Corner& c : corners.corner) {
       const double distance = distance_of(c.nearest.region, corners);
-      if (distance >= least) continue;
+      if (distance > least - doubt) continue;
       least = distance;
       shown[i] = c.nearest.region;
     }
