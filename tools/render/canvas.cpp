@@ -113,7 +113,7 @@ std::uint32_t pixel_at(const Scene& scene, const Canvas& canvas, int x, int y) {
 Colour blend(const Colour& under, const Colour& over, double part) {
   Colour result{};
   for (std::size_t c = 0; c < 3; ++c) {
-    result[c] = static_cast<std::uint8_t>(under[c] + part * (over[c] - under[c]) + 0.5);
+    result[c] = static_cast<std::uint8_t>(under[c] + part * (over[c] - under[c]));
   }
   return result;
 }

@@ -21,7 +21,7 @@ struct Stroke {
 };
 
 struct Ink {
-  Colour colour;
+  Colour colour{};
   double opacity = 1;
 };
 

@@ -18,7 +18,7 @@ inline bool needs_partition(PanelKind kind) {
 
 /// A part of a picture, as it is asked for.
 struct Panel {
-  PanelKind kind;
+  PanelKind kind = PanelKind::surface;
   std::optional<std::string> caption;
 };
 

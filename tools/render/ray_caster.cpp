@@ -20,12 +20,12 @@ struct RayCaster::Scene : EmbreeScene {
   void intersect(RTCRayHit16& rays) const {
     alignas(64) const auto valid = all_valid;
 #if RTC_VERSION_MAJOR >= 4
-    RTCIntersectArguments arguments;
+    RTCIntersectArguments arguments{};
     rtcInitIntersectArguments(&arguments);
     arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcIntersect16(valid.data(), scene, &rays, &arguments);
 #else
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid.data(), scene, &context, &rays);
