@@ -5,8 +5,6 @@
 namespace geolloyd {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
-
 // Easy to tell apart side by side.
 constexpr std::array<Colour, 8> palette = {{{78, 121, 167},
                                             {242, 142, 43},
@@ -16,7 +14,7 @@ constexpr std::array<Colour, 8> palette = {{{78, 121, 167},
                                             {237, 201, 72},
                                             {118, 183, 178},
                                             {156, 117, 95}}};
-constexpr Label no_region = {{128, 128, 128}, -1};
+constexpr Label no_region = {no_colour, -1};
 
 // The palette, and beyond it pastel hues a golden angle apart.
 Colour colour_of(std::uint32_t number) {
@@ -30,18 +28,27 @@ Colour colour_of(std::uint32_t number) {
 
 }  // namespace
 
+std::vector<Colour> colours_of_regions(const Graph& graph, const Partition& partition,
+                                       std::size_t region_count) {
+  std::vector<Colour> colours;
+  colours.reserve(region_count);
+  for (const std::uint32_t number : colour_regions(region_count, adjacent_regions(graph, partition),
+                                                   static_cast<std::uint32_t>(palette.size()))) {
+    colours.push_back(colour_of(number));
+  }
+  return colours;
+}
+
 std::vector<Label> label_input_ids(const RunRecord& run) {
   const Partition& partition = run.relaxation.partition;
-  const std::vector<std::uint32_t> colour =
-      colour_regions(run.regions.size(), adjacent_regions(run.mesh_graph.graph, partition),
-                     static_cast<std::uint32_t>(palette.size()));
+  const std::vector<Colour> colours =
+      colours_of_regions(run.mesh_graph.graph, partition, run.relaxation.seeds.size());
   std::vector<Label> labels;
   labels.reserve(run.mesh_graph.node_of.size());
   for (const NodeId node : run.mesh_graph.node_of) {
     const RegionId region = node == no_id ? no_id : region_of(partition.key[node]);
-    labels.push_back(region == no_id
-                         ? no_region
-                         : Label{colour_of(colour[region]), static_cast<std::int32_t>(region)});
+    labels.push_back(region == no_id ? no_region
+                                     : Label{colours[region], static_cast<std::int32_t>(region)});
   }
   return labels;
 }

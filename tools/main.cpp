@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   geolloyd::add_relax_command(program);
+  geolloyd::add_render_command(program);
   geolloyd::add_verify_command(program);
   geolloyd::add_compare_command(program);
   geolloyd::add_profile_command(program);

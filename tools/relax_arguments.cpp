@@ -2,6 +2,7 @@
 
 #include "core/errors.h"
 #include "tools/choice_option.h"
+#include "tools/render/view.h"
 
 namespace geolloyd {
 
@@ -120,6 +121,22 @@ void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
       ->group(thread_group);
 }
 
+void add_picture_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Pictures";
+  command
+      .add_option("--view", a.view,
+                  "From where: front, back, left, right, top, bottom, or\n"
+                  "AZIMUTH,ELEVATION in degrees; front is along the shortest side")
+      ->type_name("VIEW")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--size", a.size, "WIDTH, as high as the mesh needs it, or WIDTHxHEIGHT, pixels")
+      ->type_name("SIZE")
+      ->capture_default_str()
+      ->group(group);
+}
+
 void check_arguments(const RelaxArguments& a) {
   if (a.seeds == 0 && a.seeds_file.empty()) {
     throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
@@ -127,6 +144,8 @@ void check_arguments(const RelaxArguments& a) {
   if (a.seeds != 0 && !a.seeds_file.empty()) {
     throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
   }
+  parse_view(a.view);
+  parse_size(a.size);
 }
 
 RelaxationOptions relaxation_options(const RelaxArguments& a) {

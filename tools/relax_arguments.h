@@ -15,6 +15,9 @@ struct RelaxArguments {
   std::filesystem::path output;
   std::filesystem::path picture;
   bool manifold = true;
+  std::filesystem::path frames;  ///< a folder
+  std::string view = "25,15";
+  std::string size = "1280";
   bool ground_truth = false;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
@@ -44,6 +47,7 @@ void add_limit_options(CLI::App& command, RelaxArguments& a);
 void add_engine_option(CLI::App& command, RelaxArguments& a);
 void add_thread_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
 void add_scheduler_options(CLI::App& command, RelaxArguments& a);
+void add_picture_options(CLI::App& command, RelaxArguments& a);  // how pictures look
 
 /// Throws InvalidInput where options contradict each other.
 void check_arguments(const RelaxArguments& a);

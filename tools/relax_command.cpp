@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 
 #include <memory>
+#include <optional>
 
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/frames.h"
 #include "tools/ground_truth_output.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
@@ -31,7 +33,10 @@ std::unique_ptr<Engine> relax_seeds(RunRecord& run, Scheduler& scheduler, std::v
   run.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
   auto engine =
       make_engine(kind, value_of(frontier_names, run.arguments.frontier), scheduler, graph);
-  run.relaxation = relax(graph, *engine, std::move(seeds), relaxation_options(run.arguments),
+  std::optional<FramesEngine> frames;
+  if (!run.arguments.frames.empty()) frames.emplace(*engine, run, scheduler);
+  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *engine;
+  run.relaxation = relax(graph, chosen, std::move(seeds), relaxation_options(run.arguments),
                          [&](const Progress& p) {
                            progress.show(p, count);
                            return !interrupted();
@@ -113,6 +118,10 @@ void print_summary(const RunRecord& run) {
   if (!run.arguments.picture.empty()) {
     fmt::print("  {:<12}{}\n", "", run.arguments.picture.string());
   }
+  if (!run.arguments.frames.empty()) {
+    fmt::print("  {:<12}{}/: {}\n", "", run.arguments.frames.string(),
+               counted(result.steps.size(), "frame", "frames"));
+  }
 }
 
 void run_relax(const RelaxArguments& arguments) {
@@ -142,7 +151,7 @@ void run_relax(const RelaxArguments& arguments) {
   write_report(run);
   if (!arguments.picture.empty()) {
     progress.stage("drawing " + arguments.picture.string());
-    write_picture(arguments.picture, run);
+    write_picture(arguments.picture, run, scheduler);
   }
   progress.clear();
   print_summary(run);
@@ -164,6 +173,10 @@ void add_relax_command(CLI::App& program) {
       ->required();
   command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
       ->type_name("FILE");
+  command
+      ->add_option("--frames", arguments->frames,
+                   "Folder for a picture of the start of each step, NNN-PHASE.png")
+      ->type_name("FOLDER");
   command->add_flag("--manifold,!--no-manifold", arguments->manifold,
                     "Add seeds to the remesh until it is a manifold of the input's\n"
                     "topology (default: yes)");
@@ -174,6 +187,7 @@ void add_relax_command(CLI::App& program) {
   add_relaxation_options(*command, *arguments);
   add_engine_option(*command, *arguments);
   add_thread_options(*command, *arguments);
+  add_picture_options(*command, *arguments);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far.\n"
       "To go on from there: --seeds-file DIR/seeds.csv");

@@ -7,6 +7,7 @@
 
 #include "core/file_writer.h"
 #include "parallel/primitives.h"
+#include "tools/frames.h"
 #include "tools/output_folder.h"
 #include "tools/report.h"
 #include "tools/rows.h"
@@ -54,6 +55,7 @@ void write_file(const RunRecord& run, const char* name, Write&& write) {
 void prepare_output(const RelaxArguments& arguments) {
   std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
   prepare_folder(arguments.output, result_names, others);
+  if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
   others.push_back(arguments.seeds_file);
   for (const char* name : result_names) others.push_back(arguments.output / name);

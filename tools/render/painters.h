@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/mesh_graph.h"
+#include "core/partition.h"
+#include "core/tangent_field.h"
+#include "tools/render/canvas.h"
+
+namespace geolloyd {
+
+// What can be seen on a mesh. Lengths and widths are in pixels of the picture, so that the same
+// scene looks alike at all sizes.
+
+/// A partition and the colours of its regions; what is referred to must live on.
+struct PartitionView {
+  const MeshGraph& mesh_graph;
+  const Partition& partition;
+  std::span<const NodeId> seeds;
+  std::span<const Colour> region_colour;
+};
+
+Canvas paint_surface(const Scene& scene, Scheduler& scheduler);
+
+/// The surface and the edges of the scene's mesh.
+Canvas paint_mesh(const Scene& scene, Scheduler& scheduler);
+
+/// Regions, borders between them, seeds as dots.
+Canvas paint_regions(const PartitionView& view, const Scene& scene, Scheduler& scheduler);
+
+/// The shortest-path forest, each node joined to its parent, on pale regions. Lines are wider the
+/// more surface is reached by them; where nodes are smaller than some pixels, the finest are left
+/// out.
+Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& scheduler);
+
+/// The regions of points that are nearest to a seed through space, seeds as light dots, the
+/// centroids of these regions (mesh units, on the surface) as dark ones: where a seed is at its
+/// centroid, that hides it.
+Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
+                          std::span<const Vec3> centroid, const Scene& scene, Scheduler& scheduler);
+
+/// Both directions of a tangent field at vertices evenly spread over the picture, as long as their
+/// magnitudes: the one of larger magnitude blue, the other orange.
+Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
+                   Scheduler& scheduler);
+
+}  // namespace geolloyd

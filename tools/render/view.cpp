@@ -1,0 +1,110 @@
+#include "tools/render/view.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "core/errors.h"
+#include "tools/names.h"
+
+namespace geolloyd {
+namespace {
+
+const std::vector<Named<View>> view_names = {
+    {"front", {0, 0}},  {"right", {90, 0}}, {"back", {180, 0}},
+    {"left", {-90, 0}}, {"top", {0, 90}},   {"bottom", {0, -90}},
+};
+
+constexpr double margin = 0.02;  // of the picture's width and height, on each side
+constexpr int least_length = 64;
+constexpr int most_length = 8192;  // nine samples a pixel and their hits fill the memory
+
+// The two numbers of "3,4" or "3x4", and nothing else.
+template <class Number>
+std::optional<std::array<Number, 2>> parse_pair(const std::string& text, char separator) {
+  std::array<Number, 2> pair{};
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, pair[0]);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, pair[1]);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return pair;
+}
+
+Axes axes_of(const BoundingBox& box, const View& view) {
+  const Vec3 extent = box.extent();
+  std::array<int, 3> side = {0, 1, 2};
+  std::stable_sort(side.begin(), side.end(), [&](int a, int b) { return extent[a] < extent[b]; });
+  const Vec3 front = Vec3::Unit(side[0]);
+  const Vec3 upright = Vec3::Unit(side[1]);
+  const double azimuth = view.azimuth * std::numbers::pi / 180;
+  const double elevation = view.elevation * std::numbers::pi / 180;
+  const Vec3 level = std::cos(azimuth) * front + std::sin(azimuth) * cross(upright, front);
+  const Vec3 towards = std::cos(elevation) * level + std::sin(elevation) * upright;
+  const Vec3 up = std::cos(elevation) * upright - std::sin(elevation) * level;
+  return {cross(up, towards), -up, -towards};
+}
+
+// Something seen from its end or of no extent at all still has a width.
+double width_of(const Outline& outline) {
+  const Vec3 extent = outline.box.extent();
+  const double width = std::max({extent.x(), extent.y() / 64, extent.z() / 1024});
+  return width > 0 ? width : 1;
+}
+
+}  // namespace
+
+View parse_view(const std::string& text) {
+  for (const Named<View>& named : view_names) {
+    if (text == named.name) return named.value;
+  }
+  const auto angles = parse_pair<double>(text, ',');
+  if (angles && std::abs((*angles)[0]) <= 360 && std::abs((*angles)[1]) <= 90) {
+    return {(*angles)[0], (*angles)[1]};
+  }
+  throw InvalidInput("--view " + text +
+                     ": give front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in "
+                     "degrees, such as 25,15");
+}
+
+Size parse_size(const std::string& text) {
+  const bool has_height = text.find('x') != std::string::npos;
+  const auto pair = parse_pair<int>(has_height ? text : text + "x0", 'x');
+  const auto is_good = [](int length) { return length >= least_length && length <= most_length; };
+  if (pair && is_good((*pair)[0]) && (!has_height || is_good((*pair)[1]))) {
+    return {(*pair)[0], (*pair)[1]};
+  }
+  throw InvalidInput("--size " + text + ": give WIDTH or WIDTHxHEIGHT in pixels, each from " +
+                     std::to_string(least_length) + " to " + std::to_string(most_length) +
+                     ", such as 1920x1080");
+}
+
+Outline outline_of(std::span<const Vec3> points, const View& view) {
+  const Axes axes = axes_of(bounding_box(points), view);
+  Sequential one;
+  return {axes,
+          bounding_box_on(one, points.size(), [&](std::size_t i) { return axes(points[i]); })};
+}
+
+double aspect_of(const Outline& outline) {
+  return std::clamp(outline.box.extent().y() / width_of(outline), 1.0 / 64, 2.0);
+}
+
+Camera fit_camera(const Outline& outline, Size size) {
+  const double room = 1 - 2 * margin;
+  const double pixel = std::max(width_of(outline) / (room * size.width),
+                                outline.box.extent().y() / (room * size.height));
+  const Vec3 middle = outline.box.middle();
+  return {outline.axes,
+          {middle.x() - pixel * size.width / 2, middle.y() - pixel * size.height / 2,
+           outline.box.low.z() - pixel},
+          pixel,
+          size};
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,156 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "core/errors.h"
+#include "core/tangent_field_file.h"
+#include "tools/commands.h"
+#include "tools/ground_truth.h"
+#include "tools/labels.h"
+#include "tools/measured_run.h"
+#include "tools/output_folder.h"
+#include "tools/picture.h"
+#include "tools/render/painters.h"
+#include "tools/render/panel.h"
+#include "tools/stages.h"
+
+namespace geolloyd {
+namespace {
+
+struct RenderArguments {
+  RelaxArguments relax;
+  std::filesystem::path output;
+  std::vector<std::string> panels;
+};
+
+class Renderer {
+ public:
+  Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels)
+      : output_(arguments.output), panels_(panels), scheduler_(make_scheduler(arguments.relax)) {
+    run_.arguments = arguments.relax;
+  }
+
+  void render() {
+    if (any(needs_partition)) {
+      find_partition();
+    } else {
+      progress_.stage("reading " + run_.arguments.mesh.string());
+      load_mesh(run_, scheduler_);
+    }
+    progress_.stage("drawing " + output_.string());
+    std::vector<std::string> captions;
+    for (const Panel& panel : panels_) captions.push_back(caption_of(panel, panels_.size()));
+    const bool has_captions = std::any_of(captions.begin(), captions.end(),
+                                          [](const std::string& c) { return !c.empty(); });
+    const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), has_captions,
+                          scheduler_);
+    std::vector<PanelImage> images;
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+      const Canvas canvas = paint(panels_[i].kind, picture.scene());
+      images.push_back({to_pixels(picture.scene(), canvas, scheduler_), captions[i]});
+    }
+    picture.write(output_, images);
+  }
+
+ private:
+  template <class Predicate>
+  [[nodiscard]] bool any(Predicate&& predicate) const {
+    return std::any_of(panels_.begin(), panels_.end(),
+                       [&](const Panel& panel) { return predicate(panel.kind); });
+  }
+
+  void find_partition() {
+    run_.relaxation.seeds = prepare(run_, scheduler_, progress_);
+    const auto engine =
+        make_engine(EngineKind::parallel, value_of(frontier_names, run_.arguments.frontier),
+                    scheduler_, run_.mesh_graph.graph);
+    engine->partition(run_.relaxation.seeds);
+    run_.relaxation.partition = engine->current();
+    colours_ = colours_of_regions(run_.mesh_graph.graph, run_.relaxation.partition,
+                                  run_.relaxation.seeds.size());
+  }
+
+  Canvas paint(PanelKind kind, const Scene& scene) {
+    const PartitionView view{run_.mesh_graph, run_.relaxation.partition, run_.relaxation.seeds,
+                             colours_};
+    switch (kind) {
+      case PanelKind::surface:
+        return paint_surface(scene, scheduler_);
+      case PanelKind::mesh:
+        return paint_mesh(scene, scheduler_);
+      case PanelKind::regions:
+        return paint_regions(view, scene, scheduler_);
+      case PanelKind::trees:
+        return paint_trees(view, scene, scheduler_);
+      case PanelKind::ground_truth: {
+        const GroundTruth truth =
+            make_ground_truth(scheduler_, run_.input.mesh, run_.mesh_graph,
+                              run_.relaxation.partition, run_.relaxation.seeds);
+        return paint_ground_truth(view, truth.region, truth.surface_centroid, scene, scheduler_);
+      }
+      case PanelKind::field:
+        return paint_field(
+            read_tangent_field(run_.arguments.vfield, run_.input.mesh.vertex_count()), scene,
+            scheduler_);
+    }
+    return {};
+  }
+
+  const std::filesystem::path& output_;
+  const std::vector<Panel>& panels_;
+  Scheduler scheduler_;
+  ProgressLine progress_;
+  RunRecord run_;
+  std::vector<Colour> colours_;
+};
+
+// All that can be wrong is found before the work.
+std::vector<Panel> check(const RenderArguments& a) {
+  std::vector<Panel> panels;
+  for (const std::string& text : a.panels) panels.push_back(parse_panel(text));
+  const bool has_seeds = a.relax.seeds > 0 || !a.relax.seeds_file.empty();
+  if (panels.empty()) {
+    panels.push_back({has_seeds ? PanelKind::regions : PanelKind::surface, std::nullopt});
+  }
+  for (const Panel& panel : panels) {
+    if (panel.kind == PanelKind::field && a.relax.vfield.empty()) {
+      throw InvalidInput("--panel field: which field? Give --vfield FILE");
+    }
+    if (needs_partition(panel.kind)) check_arguments(a.relax);
+  }
+  parse_view(a.relax.view);
+  parse_size(a.relax.size);
+  const std::vector<std::filesystem::path> others = {a.relax.mesh, a.relax.vfield,
+                                                     a.relax.seeds_file};
+  check_target(a.output, others);
+  return panels;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "render", "Draw a mesh, the regions of seeds, and what they are made of, as they are");
+  const auto a = std::make_shared<RenderArguments>();
+  add_mesh_argument(*command, a->relax);
+  command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
+  command
+      ->add_option("--panel", a->panels,
+                   "What to show, surface|mesh|regions|trees|ground-truth|field;\n"
+                   "several panels stand side by side. NAME=CAPTION puts text below one")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_picture_options(*command, a->relax);
+  add_seed_options(*command, a->relax);
+  add_graph_options(*command, a->relax);
+  add_thread_options(*command, a->relax);
+  command->footer(
+      "surface, mesh and field need no seeds. The ground is white where there are captions,\n"
+      "transparent otherwise.");
+  command->callback([a] {
+    const std::vector<Panel> panels = check(*a);
+    Renderer(*a, panels).render();
+  });
+}
+
+}  // namespace geolloyd
