@@ -65,8 +65,8 @@ TEST(Quality, OfATriangularGridHasNearlyTheEnergyOfHexagons) {
   TemporaryFolder folder;
   const fs::path coarse = folder.path() / "coarse.ply";
   const fs::path fine = folder.path() / "fine.ply";
-  write_mesh(coarse, refine(rhombus, 30));
-  write_mesh(fine, refine(rhombus, 300));
+  write_mesh(coarse, refine(rhombus, 40));
+  write_mesh(fine, refine(rhombus, 400));
   Scheduler scheduler(2);
   ProgressLine progress;
   const QualityRecord record = judge(coarse, fine, 1'000, scheduler, progress);
