@@ -30,6 +30,8 @@ struct MeshTopology {
   }
   /// Of all parts together.
   [[nodiscard]] PartTopology total() const;
+
+  friend bool operator==(const MeshTopology&, const MeshTopology&) = default;
 };
 
 /// Of the triangles that have three vertices, and of the vertices they name. O(triangles).

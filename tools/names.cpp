@@ -51,6 +51,11 @@ const std::vector<Named<Phase>> phase_names = {
     {"precise", Phase::precise},
 };
 
+const std::vector<Named<RemeshVertices>> remesh_vertices_names = {
+    {"seeds", RemeshVertices::seeds},
+    {"centroids", RemeshVertices::centroids},
+};
+
 const std::vector<Named<double KernelSeconds::*>> kernel_names = {
     {"free_search", &KernelSeconds::free_search},
     {"locked_search", &KernelSeconds::locked_search},

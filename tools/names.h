@@ -9,6 +9,7 @@
 #include "core/seeds.h"
 #include "parallel/parallel_engine.h"
 #include "parallel/scheduler.h"
+#include "tools/remesh.h"
 
 namespace geolloyd {
 
@@ -28,6 +29,7 @@ extern const std::vector<Named<End>> end_names;
 extern const std::vector<Named<Frontier>> frontier_names;
 extern const std::vector<Named<Backend>> backend_names;
 extern const std::vector<Named<Phase>> phase_names;
+extern const std::vector<Named<RemeshVertices>> remesh_vertices_names;
 extern const std::vector<Named<double KernelSeconds::*>> kernel_names;
 
 enum class EngineKind { parallel, reference };

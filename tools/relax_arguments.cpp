@@ -137,6 +137,21 @@ void add_picture_options(CLI::App& command, RelaxArguments& a) {
       ->group(group);
 }
 
+void add_remesh_options(CLI::App& command, RelaxArguments& a) {
+  const char* group = "Remesh";
+  command
+      .add_flag("--manifold,!--no-manifold", a.manifold,
+                "Add seeds to it until it is a manifold of the input's topology\n"
+                "(default: yes)")
+      ->group(group);
+  one_of(command.add_option("--remesh-vertices", a.remesh_vertices,
+                            "Where its vertices are: at the seeds, or on the surface where the\n"
+                            "centroids of the ground truth's regions are nearest"),
+         remesh_vertices_names)
+      ->capture_default_str()
+      ->group(group);
+}
+
 void check_arguments(const RelaxArguments& a) {
   if (a.seeds == 0 && a.seeds_file.empty()) {
     throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
@@ -151,6 +166,10 @@ void check_arguments(const RelaxArguments& a) {
 RelaxationOptions relaxation_options(const RelaxArguments& a) {
   return {value_of(greedy_mode_names, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
           a.max_greedy_steps, a.max_macrosteps};
+}
+
+RemeshOptions remesh_options(const RelaxArguments& a) {
+  return {a.manifold, value_of(remesh_vertices_names, a.remesh_vertices)};
 }
 
 }  // namespace geolloyd

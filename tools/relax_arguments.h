@@ -6,6 +6,7 @@
 
 #include "core/relaxation.h"
 #include "tools/cli_fwd.h"
+#include "tools/remesh.h"
 
 namespace geolloyd {
 
@@ -15,6 +16,7 @@ struct RelaxArguments {
   std::filesystem::path output;
   std::filesystem::path picture;
   bool manifold = true;
+  std::string remesh_vertices = "seeds";
   std::filesystem::path frames;  ///< a folder
   std::string view = "25,15";
   std::string size = "1280";
@@ -47,10 +49,12 @@ void add_limit_options(CLI::App& command, RelaxArguments& a);
 void add_engine_option(CLI::App& command, RelaxArguments& a);
 void add_thread_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
 void add_scheduler_options(CLI::App& command, RelaxArguments& a);
+void add_remesh_options(CLI::App& command, RelaxArguments& a);
 void add_picture_options(CLI::App& command, RelaxArguments& a);  // how pictures look
 
 /// Throws InvalidInput where options contradict each other.
 void check_arguments(const RelaxArguments& a);
 RelaxationOptions relaxation_options(const RelaxArguments& a);
+RemeshOptions remesh_options(const RelaxArguments& a);
 
 }  // namespace geolloyd

@@ -48,7 +48,7 @@ std::unique_ptr<Engine> relax_seeds(RunRecord& run, Scheduler& scheduler, std::v
 void make_remesh(RunRecord& run, Scheduler& scheduler, Engine& engine) {
   const Stopwatch watch;
   run.remesh = make_remesh({run.input.mesh, run.mesh_graph, run.relaxation.seeds, engine},
-                           {run.arguments.manifold}, scheduler);
+                           remesh_options(run.arguments), scheduler);
   run.seconds.remesh = watch.seconds();
 }
 
@@ -177,14 +177,12 @@ void add_relax_command(CLI::App& program) {
       ->add_option("--frames", arguments->frames,
                    "Folder for a picture of the start of each step, NNN-PHASE.png")
       ->type_name("FOLDER");
-  command->add_flag("--manifold,!--no-manifold", arguments->manifold,
-                    "Add seeds to the remesh until it is a manifold of the input's\n"
-                    "topology (default: yes)");
   command->add_flag("--ground-truth", arguments->ground_truth,
                     "Judge the result by the regions of Euclidean distance");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);
+  add_remesh_options(*command, *arguments);
   add_engine_option(*command, *arguments);
   add_thread_options(*command, *arguments);
   add_picture_options(*command, *arguments);

@@ -10,6 +10,7 @@
 #include "core/region_borders.h"
 #include "parallel/mesh_edges.h"
 #include "tools/facts_text.h"
+#include "tools/ground_truth.h"
 #include "tools/interrupt.h"
 
 namespace geolloyd {
@@ -66,12 +67,18 @@ std::string name(const Obstacle& obstacle) {
 // Why the remesh is no manifold of the input's topology.
 std::string find_flaw(const Remesh& remesh, bool manifold) {
   const MeshTopology& input = remesh.input_topology;
-  if (input.non_manifold_edges > 0 || input.non_manifold_vertices > 0) {
-    return fmt::format(
-        "the input is none: {}, {}",
-        counted(input.non_manifold_edges, "non-manifold edge", "non-manifold edges"),
-        counted(input.non_manifold_vertices, "vertex whose triangles are several fans",
-                "vertices whose triangles are several fans"));
+  if (!input.is_manifold()) {
+    std::string of_input = "the input is none";
+    if (input.non_manifold_edges > 0) {
+      of_input += ", with " + counted(input.non_manifold_edges, "edge of several triangles",
+                                      "edges of more than two triangles");
+    }
+    if (input.non_manifold_vertices > 0) {
+      of_input += ", with " + counted(input.non_manifold_vertices, "vertex where surfaces touch",
+                                      "vertices where surfaces touch");
+    }
+    const bool is_alike = remesh.obstacles_left.empty() && remesh.topology == input;
+    return of_input + (is_alike ? "; the remesh is like it in all counts" : "");
   }
   if (!remesh.obstacles_left.empty()) {
     const std::string first = name(remesh.obstacles_left.front());
@@ -83,6 +90,19 @@ std::string find_flaw(const Remesh& remesh, bool manifold) {
     return "its topology differs from the input's";
   }
   return "";
+}
+
+std::vector<Vec3> find_sites(const RemeshInput& input, const std::vector<NodeId>& seeds,
+                             RemeshVertices vertices, Scheduler& scheduler) {
+  if (vertices == RemeshVertices::centroids) {
+    input.engine.partition(seeds);
+    return make_ground_truth(scheduler, input.mesh, input.mesh_graph, input.engine.current(), seeds)
+        .surface_centroid;
+  }
+  std::vector<Vec3> sites;
+  sites.reserve(seeds.size());
+  for (const NodeId seed : seeds) sites.push_back(input.mesh_graph.position[seed]);
+  return sites;
 }
 
 }  // namespace
@@ -104,10 +124,8 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   remesh.repeated = dualised.dual.repeated;
   remesh.folded = dualised.dual.folded;
 
-  std::vector<Vec3> sites;
-  sites.reserve(remesh.seeds.size());
-  for (const NodeId seed : remesh.seeds) sites.push_back(input.mesh_graph.position[seed]);
-  remesh.mesh.positions = place_dual(input.mesh, dualised.surface, sites);
+  remesh.mesh.positions = place_dual(input.mesh, dualised.surface,
+                                     find_sites(input, remesh.seeds, options.vertices, scheduler));
   remesh.flipped =
       count_flipped(input.mesh, dualised.surface, dualised.dual, remesh.mesh.positions);
   remesh.mesh.triangles = std::move(dualised.dual.triangles);

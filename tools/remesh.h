@@ -41,8 +41,15 @@ struct RemeshInput {
   Engine& engine;
 };
 
+/// Where the vertices are that are not on the boundary.
+enum class RemeshVertices {
+  seeds,
+  centroids  ///< the surface's points closest to the centroids of the ground truth
+};
+
 struct RemeshOptions {
   bool manifold = true;  ///< add seeds until the dual is one
+  RemeshVertices vertices = RemeshVertices::seeds;
 };
 
 /// An interrupt (interrupt.h) ends the adding of seeds.

@@ -10,6 +10,7 @@
 #include "tools/measured_run.h"
 #include "tools/output_folder.h"
 #include "tools/picture.h"
+#include "tools/remesh.h"
 #include "tools/render/painters.h"
 #include "tools/render/panel.h"
 #include "tools/stages.h"
@@ -46,8 +47,7 @@ class Renderer {
                           scheduler_);
     std::vector<PanelImage> images;
     for (std::size_t i = 0; i < panels_.size(); ++i) {
-      const Canvas canvas = paint(panels_[i].kind, picture.scene());
-      images.push_back({to_pixels(picture.scene(), canvas, scheduler_), captions[i]});
+      images.push_back({draw(panels_[i].kind, picture.scene()), captions[i]});
     }
     picture.write(output_, images);
   }
@@ -61,13 +61,22 @@ class Renderer {
 
   void find_partition() {
     run_.relaxation.seeds = prepare(run_, scheduler_, progress_);
-    const auto engine =
-        make_engine(EngineKind::parallel, value_of(frontier_names, run_.arguments.frontier),
-                    scheduler_, run_.mesh_graph.graph);
-    engine->partition(run_.relaxation.seeds);
-    run_.relaxation.partition = engine->current();
+    engine_ = make_engine(EngineKind::parallel, value_of(frontier_names, run_.arguments.frontier),
+                          scheduler_, run_.mesh_graph.graph);
+    engine_->partition(run_.relaxation.seeds);
+    run_.relaxation.partition = engine_->current();
     colours_ = colours_of_regions(run_.mesh_graph.graph, run_.relaxation.partition,
                                   run_.relaxation.seeds.size());
+  }
+
+  Pixels draw(PanelKind kind, const Scene& scene) {
+    if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
+    engine_->partition(run_.relaxation.seeds);
+    const Remesh remesh =
+        make_remesh({run_.input.mesh, run_.mesh_graph, run_.relaxation.seeds, *engine_},
+                    remesh_options(run_.arguments), scheduler_);
+    const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
+    return to_pixels(other, paint_mesh(other, scheduler_), scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {
@@ -92,6 +101,8 @@ class Renderer {
         return paint_field(
             read_tangent_field(run_.arguments.vfield, run_.input.mesh.vertex_count()), scene,
             scheduler_);
+      case PanelKind::remesh:
+        break;  // has a scene of its own
     }
     return {};
   }
@@ -101,6 +112,7 @@ class Renderer {
   Scheduler scheduler_;
   ProgressLine progress_;
   RunRecord run_;
+  std::unique_ptr<Engine> engine_;
   std::vector<Colour> colours_;
 };
 
@@ -136,13 +148,15 @@ void add_render_command(CLI::App& program) {
   command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
   command
       ->add_option("--panel", a->panels,
-                   "What to show, surface|mesh|regions|trees|ground-truth|field;\n"
-                   "several panels stand side by side. NAME=CAPTION puts text below one")
+                   "What to show, surface|mesh|regions|trees|ground-truth|remesh|\n"
+                   "field; several panels stand side by side. NAME=CAPTION puts text\n"
+                   "below one")
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_picture_options(*command, a->relax);
   add_seed_options(*command, a->relax);
   add_graph_options(*command, a->relax);
+  add_remesh_options(*command, a->relax);
   add_thread_options(*command, a->relax);
   command->footer(
       "surface, mesh and field need no seeds. The ground is white where there are captions,\n"

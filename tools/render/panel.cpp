@@ -5,9 +5,13 @@
 namespace geolloyd {
 
 const std::vector<Named<PanelKind>> panel_kind_names = {
-    {"surface", PanelKind::surface},           {"mesh", PanelKind::mesh},
-    {"regions", PanelKind::regions},           {"trees", PanelKind::trees},
-    {"ground-truth", PanelKind::ground_truth}, {"field", PanelKind::field},
+    {"surface", PanelKind::surface},
+    {"mesh", PanelKind::mesh},
+    {"regions", PanelKind::regions},
+    {"trees", PanelKind::trees},
+    {"ground-truth", PanelKind::ground_truth},
+    {"remesh", PanelKind::remesh},
+    {"field", PanelKind::field},
 };
 
 Panel parse_panel(const std::string& text) {

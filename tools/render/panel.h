@@ -9,11 +9,12 @@
 namespace geolloyd {
 
 /// What a panel shows (painters.h).
-enum class PanelKind { surface, mesh, regions, trees, ground_truth, field };
+enum class PanelKind { surface, mesh, regions, trees, ground_truth, remesh, field };
 extern const std::vector<Named<PanelKind>> panel_kind_names;
 
 inline bool needs_partition(PanelKind kind) {
-  return kind == PanelKind::regions || kind == PanelKind::trees || kind == PanelKind::ground_truth;
+  return kind == PanelKind::regions || kind == PanelKind::trees ||
+         kind == PanelKind::ground_truth || kind == PanelKind::remesh;
 }
 
 /// A part of a picture, as it is asked for.
