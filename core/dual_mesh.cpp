@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/dual_mesh_on.h"
+
 namespace geolloyd {
 namespace {
 
@@ -48,12 +50,15 @@ struct Shape {
 
 class Dualising {
  public:
-  explicit Dualising(const RegionSurface& surface)
-      : surface_(surface), shapes_(surface.region_count) {}
+  Dualising(const RegionSurface& surface, const SurfaceScan& scan)
+      : surface_(surface), shapes_(surface.region_count) {
+    for (std::size_t r = 0; r < shapes_.size(); ++r) {
+      shapes_[r].doubled_euler = scan.doubled_euler[r];
+    }
+    for (const std::uint32_t i : scan.borders) visit_border(i);
+  }
 
   DualMesh run() {
-    visit_points();
-    visit_triangles();
     visit_odd_edges();
     collect_triangles();
     find_obstacles();
@@ -63,31 +68,18 @@ class Dualising {
  private:
   [[nodiscard]] RegionId region(PointId p) const { return surface_.region[p]; }
 
-  void visit_points() {
-    for (PointId p = 0; p < surface_.region.size(); ++p) {
-      if (region(p) == no_id) continue;
-      shapes_[region(p)].doubled_euler += 2;
-    }
-  }
-
-  void visit_triangles() {
-    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
-      const Triangle& t = surface_.triangles[i];
-      const Triple r = {region(t[0]), region(t[1]), region(t[2])};
-      if (r[0] == r[1] && r[1] == r[2]) {
-        if (r[0] != no_id) shapes_[r[0]].doubled_euler += 2 - 3;
-        continue;
-      }
-      const bool is_corner = r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
-      if (is_corner) corners_[sorted(r)].push_back(static_cast<std::uint32_t>(i));
-      for (std::size_t c = 0; c < 3; ++c) {
-        const RegionId a = r[c];
-        const RegionId b = r[(c + 1) % 3];
-        if (a == b) {
-          shapes_[a].doubled_euler -= 1;
-        } else {
-          contacts_[sorted(a, b)].ends += is_corner ? 1 : 0;
-        }
+  void visit_border(std::uint32_t i) {
+    const Triangle& t = surface_.triangles[i];
+    const Triple r = {region(t[0]), region(t[1]), region(t[2])};
+    const bool is_corner = r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
+    if (is_corner) corners_[sorted(r)].push_back(i);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RegionId a = r[c];
+      const RegionId b = r[(c + 1) % 3];
+      if (a == b) {
+        shapes_[a].doubled_euler -= 1;
+      } else {
+        contacts_[sorted(a, b)].ends += is_corner ? 1 : 0;
       }
     }
   }
@@ -171,7 +163,12 @@ std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind) {
 }
 
 DualMesh make_dual(const RegionSurface& surface) {
-  return Dualising(surface).run();
+  Sequential executor;
+  return make_dual(surface, scan_surface_on(executor, surface));
+}
+
+DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan) {
+  return Dualising(surface, scan).run();
 }
 
 }  // namespace geolloyd

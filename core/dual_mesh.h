@@ -42,6 +42,9 @@ std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind);
 
 DualMesh make_dual(const RegionSurface& surface);
 
+struct SurfaceScan;  // dual_mesh_on.h
+DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan);
+
 /// A position for each region's vertex of the dual: `site`, or, in regions that reach the boundary,
 /// the point of the boundary where it turns most, if it turns by more than 30 degrees, else the
 /// nearest to `site`. So the dual does not shrink from the boundary.

@@ -11,12 +11,11 @@ namespace {
 
 class Repairing {
  public:
-  Repairing(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph, Engine& engine,
+  Repairing(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
             DualisedSeeds flawed, const std::function<bool()>& keep_going)
-      : mesh_(mesh),
-        edges_(edges),
-        mesh_graph_(mesh_graph),
+      : mesh_graph_(mesh_graph),
         engine_(engine),
+        dualise_(dualise),
         result_(std::move(flawed)),
         keep_going_(keep_going) {}
 
@@ -33,7 +32,7 @@ class Repairing {
  private:
   void dualise_seeds() {
     engine_.partition(result_.seeds);
-    result_ = dualise(mesh_, edges_, mesh_graph_, engine_.current(), std::move(result_.seeds));
+    result_ = dualise_(std::move(result_.seeds));
   }
 
   // Those of one obstacle, but no two obstacles that concern the same region: one seed may mend
@@ -49,7 +48,7 @@ class Repairing {
       for (const RegionId r : remedy.regions) {
         if (r != no_id) taken_by[r] = remedy.regions;
       }
-      const NodeId node = node_at(mesh_graph_, mesh_.vertex_count(), remedy.point);
+      const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, remedy.point);
       const auto added = std::span(result_.seeds).subspan(taken_by.size());
       if (std::find(added.begin(), added.end(), node) == added.end()) result_.seeds.push_back(node);
     }
@@ -59,7 +58,7 @@ class Repairing {
   // Moves the seeds from `first_new` on, and those of the regions they border on, toward the
   // centroids of their regions. Seeds whose moving brings obstacles back stay.
   void settle(std::size_t first_new) {
-    constexpr int attempts = 6;
+    constexpr int attempts = 4;
     std::vector<std::uint8_t> keeps_seed = far_from(first_new);
     for (int attempt = 0; attempt < attempts && keep_going_(); ++attempt) {
       std::vector<NodeId> moved = result_.seeds;
@@ -67,8 +66,7 @@ class Repairing {
       engine_.macrostep(moved, {keeps_seed, true, true}, [](std::uint32_t) { return true; });
       if (moved == result_.seeds) return;
       engine_.partition(moved);
-      DualisedSeeds settled =
-          dualise(mesh_, edges_, mesh_graph_, engine_.current(), std::move(moved));
+      DualisedSeeds settled = dualise_(std::move(moved));
       if (settled.dual.obstacles.empty()) result_ = std::move(settled);
       for (const Obstacle& obstacle : settled.dual.obstacles) {
         for (const RegionId r : obstacle.regions) {
@@ -90,10 +88,9 @@ class Repairing {
     return keeps_seed;
   }
 
-  const Mesh& mesh_;
-  const MeshEdges& edges_;
   const MeshGraph& mesh_graph_;
   Engine& engine_;
+  const Dualise& dualise_;
   DualisedSeeds result_;
   const std::function<bool()>& keep_going_;
 };
@@ -108,10 +105,9 @@ DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph&
   return result;
 }
 
-DualisedSeeds repair_dual(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                          Engine& engine, DualisedSeeds flawed,
-                          const std::function<bool()>& keep_going) {
-  return Repairing(mesh, edges, mesh_graph, engine, std::move(flawed), keep_going).run();
+DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+                          DualisedSeeds flawed, const std::function<bool()>& keep_going) {
+  return Repairing(mesh_graph, engine, dualise, std::move(flawed), keep_going).run();
 }
 
 }  // namespace geolloyd

@@ -21,13 +21,15 @@ struct DualisedSeeds {
 DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
                       const Partition& partition, std::vector<NodeId> seeds);
 
+/// What dualise() gives for seeds whose partition the engine has just found.
+using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
+
 /// Adds seeds where the dual has obstacles (dual_remedies.h), until it has none or nothing more can
 /// be added. Then these seeds and those around them move toward the centroids of their regions, as
 /// far as no obstacle comes back. The seeds that were there stay the first ones, in their order.
 /// `engine` works on mesh_graph's graph; `keep_going` is asked before each round of adding or
 /// moving.
-DualisedSeeds repair_dual(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                          Engine& engine, DualisedSeeds flawed,
-                          const std::function<bool()>& keep_going);
+DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+                          DualisedSeeds flawed, const std::function<bool()>& keep_going);
 
 }  // namespace geolloyd

@@ -43,8 +43,10 @@ struct Ground {
     return geolloyd::dualise(mesh, edges, mesh_graph, engine->current(), seeds);
   }
 
-  DualisedSeeds repair(const std::vector<NodeId>& seeds) {
-    return repair_dual(mesh, edges, mesh_graph, *engine, dualise(seeds), [] { return true; });
+  DualisedSeeds repair(const std::vector<NodeId>& seeds, bool keeps_going = true) {
+    return repair_dual(
+        mesh_graph, *engine, [this](std::vector<NodeId> others) { return dualise(others); },
+        dualise(seeds), [keeps_going] { return keeps_going; });
   }
 
   [[nodiscard]] Mesh remesh(const DualisedSeeds& dualised) const {
@@ -205,9 +207,7 @@ TEST_P(Repair, GivesUpWhereThereAreNoNodesLeft) {
 TEST_P(Repair, StopsWhenAsked) {
   Ground ground(torus(600, 1), GetParam());
   const std::vector<NodeId> seeds = ground.choose(2);
-  const DualisedSeeds same =
-      repair_dual(ground.mesh, ground.edges, ground.mesh_graph, *ground.engine,
-                  ground.dualise(seeds), [] { return false; });
+  const DualisedSeeds same = ground.repair(seeds, false);
   EXPECT_EQ(same.seeds, seeds);
 }
 

@@ -85,9 +85,11 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
                              count, 1, *make_growing_search(scheduler, made.graph)),
                 options)
               .seeds;
-      const DualisedSeeds flawed = dualise(mesh, edges, made, engine->current(), seeds);
+      const auto dualise_current = [&](std::vector<NodeId> some) {
+        return dualise(mesh, edges, made, engine->current(), std::move(some));
+      };
       const DualisedSeeds repaired =
-          repair_dual(mesh, edges, made, *engine, flawed, [] { return true; });
+          repair_dual(made, *engine, dualise_current, dualise_current(seeds), [] { return true; });
       EXPECT_TRUE(repaired.dual.obstacles.empty());
       EXPECT_EQ(count_broken_vertices(repaired.dual.triangles), wanted.non_manifold_vertices);
       const Mesh remesh{std::vector<Vec3>(repaired.seeds.size(), Vec3::Zero()),

@@ -8,7 +8,9 @@
 #include "core/dual_repair.h"
 #include "core/mesh_measure.h"
 #include "core/region_borders.h"
+#include "parallel/dual_mesh.h"
 #include "parallel/mesh_edges.h"
+#include "parallel/primitives.h"
 #include "tools/facts_text.h"
 #include "tools/ground_truth.h"
 #include "tools/interrupt.h"
@@ -109,13 +111,21 @@ std::vector<Vec3> find_sites(const RemeshInput& input, const std::vector<NodeId>
 
 Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Scheduler& scheduler) {
   const MeshEdges edges = find_edges(scheduler, input.mesh);
-  DualisedSeeds dualised =
-      dualise(input.mesh, edges, input.mesh_graph, input.engine.current(), input.seeds);
+  const auto dualise_current = [&](std::vector<NodeId> seeds) {
+    DualisedSeeds dualised{std::move(seeds), {}, {}};
+    dualised.surface = spread_regions(input.mesh, edges, input.mesh_graph, input.engine.current(),
+                                      dualised.seeds.size());
+    dualised.dual = make_dual(scheduler, dualised.surface);
+    return dualised;
+  };
+  DualisedSeeds dualised = dualise_current(input.seeds);
   Remesh remesh;
-  remesh.roundness = measure_roundness(input, edges, dualised.surface);
+  run_each(
+      scheduler, [&] { remesh.input_topology = find_topology(input.mesh, edges); },
+      [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });
   remesh.obstacles_found = dualised.dual.obstacles;
   if (options.manifold && !remesh.obstacles_found.empty()) {
-    dualised = repair_dual(input.mesh, edges, input.mesh_graph, input.engine, std::move(dualised),
+    dualised = repair_dual(input.mesh_graph, input.engine, dualise_current, std::move(dualised),
                            [] { return !interrupted(); });
   }
   remesh.seeds = std::move(dualised.seeds);
@@ -130,7 +140,6 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
       count_flipped(input.mesh, dualised.surface, dualised.dual, remesh.mesh.positions);
   remesh.mesh.triangles = std::move(dualised.dual.triangles);
   remesh.topology = find_topology(remesh.mesh, find_edges(scheduler, remesh.mesh));
-  remesh.input_topology = find_topology(input.mesh, edges);
   remesh.flaw = find_flaw(remesh, options.manifold);
   return remesh;
 }
