@@ -49,4 +49,18 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
   return text;
 }
 
+std::string describe(const MeshTopology& topology) {
+  std::string text = counted(topology.total().boundary_loops, "boundary loop", "boundary loops");
+  if (topology.is_manifold()) return text + ", manifold";
+  if (topology.non_manifold_edges > 0) {
+    text += ", " + counted(topology.non_manifold_edges, "edge of more than two triangles",
+                           "edges of more than two triangles");
+  }
+  if (topology.non_manifold_vertices > 0) {
+    text += ", " + counted(topology.non_manifold_vertices, "vertex where surfaces touch",
+                           "vertices where surfaces touch");
+  }
+  return text;
+}
+
 }  // namespace geolloyd

@@ -4,6 +4,7 @@
 
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "core/mesh_topology.h"
 
 namespace geolloyd {
 
@@ -15,5 +16,8 @@ std::string grouped(std::uint64_t number);
 
 /// "1 edge", "2,000 edges".
 std::string counted(std::uint64_t number, const char* singular, const char* plural);
+
+/// Boundary loops, and whether it is a manifold.
+std::string describe(const MeshTopology& topology);
 
 }  // namespace geolloyd

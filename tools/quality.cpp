@@ -22,6 +22,7 @@ MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& sch
   mesh.input = read_mesh(file);
   MeshEdges edges = find_edges(scheduler, mesh.input.mesh);
   mesh.facts = check_mesh(scheduler, mesh.input.mesh, edges);
+  mesh.topology = find_topology(mesh.input.mesh, edges);
   return edges;
 }
 

@@ -7,6 +7,7 @@
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "core/mesh_quality.h"
+#include "core/mesh_topology.h"
 #include "parallel/scheduler.h"
 #include "tools/progress.h"
 #include "tools/surface_distance.h"
@@ -18,6 +19,7 @@ struct MeshFile {
   std::filesystem::path file;
   LoadedMesh input;
   MeshFacts facts;
+  MeshTopology topology;
 };
 
 /// A remesh beside the mesh that it stands for.

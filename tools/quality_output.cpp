@@ -53,19 +53,25 @@ std::string distance_table(const Likeness& likeness) {
   return table.text();
 }
 
-std::string describe(const Likeness& likeness, const MeshFacts& remesh) {
-  const MeshFacts& original = likeness.original.facts;
+std::string describe_file(const MeshFile& mesh) {
+  return fmt::format("{}\n{}  {:<12}{}\n", mesh.file.string(), describe(mesh.input, mesh.facts),
+                     "topology", describe(mesh.topology));
+}
+
+std::string describe(const Likeness& likeness, const MeshFile& remesh) {
+  const MeshFile& original = likeness.original;
   return fmt::format(
-      "\n{}\n{}"
-      "  {:<12}Euler characteristic {:+}, components {:+}, boundary edges {:+} in the remesh\n"
+      "\n{}"
+      "  {:<12}Euler characteristic {:+}, components {:+}, boundary loops {:+} in the remesh\n"
       "  {:<12}of the remesh's vertices as sites: {:.5g} of a regular hexagonal tiling\n"
       "\n{}"
       "  {} samples on each and all vertices; %: of the original's bounding-box diagonal\n",
-      likeness.original.file.string(), describe(likeness.original.input, original), "difference",
-      remesh.euler_characteristic - original.euler_characteristic,
-      difference(remesh.components, original.components),
-      difference(remesh.boundary_edges, original.boundary_edges), "energy",
-      likeness.energy / likeness.hexagonal, distance_table(likeness), grouped(likeness.samples));
+      describe_file(original), "difference",
+      remesh.facts.euler_characteristic - original.facts.euler_characteristic,
+      difference(remesh.facts.components, original.facts.components),
+      difference(remesh.topology.total().boundary_loops, original.topology.total().boundary_loops),
+      "energy", likeness.energy / likeness.hexagonal, distance_table(likeness),
+      grouped(likeness.samples));
 }
 
 Json quality_part(const MeshQuality& q) {
@@ -84,26 +90,21 @@ Json figures_part(const Likeness& likeness, const DistanceFigures& figures) {
           {"hausdorff_percent", percent(likeness, figures.largest)}};
 }
 
-Json likeness_part(const Likeness& likeness, const MeshFacts& remesh) {
-  const MeshFacts& original = likeness.original.facts;
+Json likeness_part(const Likeness& likeness) {
   return {{"samples", likeness.samples},
           {"remesh_to_original", figures_part(likeness, likeness.distance.from_first)},
           {"original_to_remesh", figures_part(likeness, likeness.distance.from_second)},
           {"two_sided", figures_part(likeness, likeness.distance.two_sided())},
           {"energy", likeness.energy},
-          {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal},
-          {"euler_characteristic_difference",
-           remesh.euler_characteristic - original.euler_characteristic},
-          {"components_difference", difference(remesh.components, original.components)}};
+          {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal}};
 }
 
 }  // namespace
 
 std::string quality_text(const QualityRecord& record) {
   const MeshFile& remesh = record.remesh;
-  std::string text =
-      remesh.file.string() + "\n" + describe(remesh.input, remesh.facts) + describe(record.quality);
-  if (record.likeness) text += describe(*record.likeness, remesh.facts);
+  std::string text = describe_file(remesh) + describe(record.quality);
+  if (record.likeness) text += describe(*record.likeness, remesh);
   return text;
 }
 
@@ -112,11 +113,13 @@ std::string quality_report(const QualityRecord& record) {
   Json report;
   report["program"] = "geolloyd " GEOLLOYD_VERSION;
   report["remesh"] = mesh_part(remesh.file, remesh.input, remesh.facts);
+  report["topology"] = topology_part(remesh.topology);
   report["quality"] = quality_part(record.quality);
   if (record.likeness) {
     const MeshFile& original = record.likeness->original;
     report["original"] = mesh_part(original.file, original.input, original.facts);
-    report["likeness"] = likeness_part(*record.likeness, remesh.facts);
+    report["original_topology"] = topology_part(original.topology);
+    report["likeness"] = likeness_part(*record.likeness);
   }
   return json_text(report);
 }

@@ -66,20 +66,27 @@ const char* describe(End end) {
   return "";
 }
 
+void print_regions(const RunRecord& run) {
+  const RegionSpread areas = region_spread(run.regions);
+  fmt::print(
+      "  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}; isoperimetric ratio "
+      "{:.3g}, smallest {:.3g}\n",
+      "regions", areas.smallest, areas.largest, areas.deviation, run.remesh.roundness.mean,
+      run.remesh.roundness.min);
+}
+
 void print_remesh(const Remesh& remesh) {
-  const PartTopology total = remesh.topology.total();
   fmt::print("  {:<12}{}, {}, Euler characteristic {}, {}\n", "remesh",
              counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
              counted(remesh.mesh.triangle_count(), "triangle", "triangles"),
-             total.euler_characteristic,
-             counted(total.boundary_loops, "boundary loop", "boundary loops"));
+             remesh.topology.total().euler_characteristic, describe(remesh.topology));
   if (remesh.seeds_added > 0) {
     fmt::print("  {:<12}{} added where regions did not meet as they should\n", "",
                counted(remesh.seeds_added, "seed", "seeds"));
   }
-  fmt::print("  {:<12}{}\n", "",
-             remesh.flaw.empty() ? "a manifold of the input's topology"
-                                 : "NO MANIFOLD of the input's topology: " + remesh.flaw);
+  if (!remesh.flaw.empty()) {
+    fmt::print("  {:<12}NO MANIFOLD of the input's topology: {}\n", "", remesh.flaw);
+  }
 }
 
 void print_summary(const RunRecord& run) {
@@ -105,6 +112,7 @@ void print_summary(const RunRecord& run) {
                  ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
                  : "");
   if (run.ground_truth) fmt::print("{}", describe(*run.ground_truth));
+  print_regions(run);
   print_remesh(run.remesh);
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
   fmt::print("  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, ",

@@ -70,17 +70,9 @@ std::string name(const Obstacle& obstacle) {
 std::string find_flaw(const Remesh& remesh, bool manifold) {
   const MeshTopology& input = remesh.input_topology;
   if (!input.is_manifold()) {
-    std::string of_input = "the input is none";
-    if (input.non_manifold_edges > 0) {
-      of_input += ", with " + counted(input.non_manifold_edges, "edge of several triangles",
-                                      "edges of more than two triangles");
-    }
-    if (input.non_manifold_vertices > 0) {
-      of_input += ", with " + counted(input.non_manifold_vertices, "vertex where surfaces touch",
-                                      "vertices where surfaces touch");
-    }
     const bool is_alike = remesh.obstacles_left.empty() && remesh.topology == input;
-    return of_input + (is_alike ? "; the remesh is like it in all counts" : "");
+    return "the input is none" + std::string(is_alike ? ", and the remesh is like it" : "") + ": " +
+           describe(input);
   }
   if (!remesh.obstacles_left.empty()) {
     const std::string first = name(remesh.obstacles_left.front());

@@ -47,21 +47,13 @@ Json obstacles_part(std::span<const Obstacle> obstacles) {
 }
 
 Json remesh_part(const Remesh& remesh) {
-  const PartTopology total = remesh.topology.total();
-  const PartTopology input = remesh.input_topology.total();
   return {{"vertices", remesh.mesh.vertex_count()},
           {"triangles", remesh.mesh.triangle_count()},
           {"seeds_added", remesh.seeds_added},
           {"is_manifold_of_input_topology", remesh.flaw.empty()},
           {"flaw", remesh.flaw.empty() ? Json(nullptr) : Json(remesh.flaw)},
-          {"components", remesh.topology.parts.size()},
-          {"components_of_input", remesh.input_topology.parts.size()},
-          {"euler_characteristic", total.euler_characteristic},
-          {"euler_characteristic_of_input", input.euler_characteristic},
-          {"boundary_loops", total.boundary_loops},
-          {"boundary_loops_of_input", input.boundary_loops},
-          {"non_manifold_edges", remesh.topology.non_manifold_edges},
-          {"non_manifold_vertices", remesh.topology.non_manifold_vertices},
+          {"topology", topology_part(remesh.topology)},
+          {"input_topology", topology_part(remesh.input_topology)},
           {"repeated_triangles", remesh.repeated},
           {"folded_triangles", remesh.folded},
           {"flipped_triangles", remesh.flipped},
@@ -84,6 +76,9 @@ Json make_report(const RunRecord& run) {
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;
   report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);
+  const RegionSpread areas = region_spread(run.regions);
+  report["region_area"] = {
+      {"deviation", areas.deviation}, {"smallest", areas.smallest}, {"largest", areas.largest}};
   report["isoperimetric_ratio"] = {{"mean", run.remesh.roundness.mean},
                                    {"min", run.remesh.roundness.min}};
   report["remesh"] = remesh_part(run.remesh);

@@ -66,6 +66,16 @@ Json steps_part(const StepCounts& counts) {
           {"node_visits", counts.node_visits}};
 }
 
+Json topology_part(const MeshTopology& topology) {
+  const PartTopology total = topology.total();
+  return {{"components", topology.parts.size()},
+          {"euler_characteristic", total.euler_characteristic},
+          {"boundary_loops", total.boundary_loops},
+          {"non_manifold_edges", topology.non_manifold_edges},
+          {"non_manifold_vertices", topology.non_manifold_vertices},
+          {"inconsistent_edges", topology.inconsistent_edges}};
+}
+
 Json kernel_seconds_part(const KernelSeconds& seconds) {
   Json part;
   for (const auto& [name, kernel] : kernel_names) part[name] = seconds.*kernel;

@@ -6,6 +6,7 @@
 
 #include "core/graph.h"
 #include "core/kernel_seconds.h"
+#include "core/mesh_topology.h"
 #include "tools/run_record.h"
 
 namespace geolloyd {
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 Json machine_part();
 Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts);
 Json graph_part(const Graph& graph, std::size_t components);
+Json topology_part(const MeshTopology& topology);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// What was asked for, but for the engine.
 Json options_part(const RelaxArguments& arguments, std::size_t seeds);
