@@ -24,7 +24,7 @@ constexpr Colour orange = {220, 105, 15};
 constexpr double edge_half_width = 0.45;
 constexpr double border_half_width = 0.6;
 constexpr double least_branch_area = 20;  // square pixels of surface reached by an arc
-constexpr double field_half_width = 0.8;
+constexpr double field_half_width = 1;
 
 Stroke dot(const Vec3& centre, double radius) {
   return {centre, centre, radius};
@@ -241,7 +241,7 @@ Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& sch
 
 Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
                    Scheduler& scheduler) {
-  const double spacing = std::clamp(scene.grid.size.width / 45.0, 10.0, 28.0);
+  const double spacing = std::clamp(scene.grid.size.width / 34.0, 12.0, 36.0);
   const double scale = 0.5 * spacing / largest_magnitude(vertex_space);
   std::vector<Stroke> larger;
   std::vector<Stroke> smaller;
