@@ -9,6 +9,7 @@
 
 #include "core/file_io.h"
 #include "core/mesh_io.h"
+#include "core/mesh_topology.h"
 #include "tests/program.h"
 
 namespace geolloyd {
@@ -36,7 +37,7 @@ TEST_F(Program, RelaxWritesAllItsResults) {
   EXPECT_EQ(written.positions, mesh.positions);
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out())) ++files;
-  EXPECT_EQ(files, 4U);
+  EXPECT_EQ(files, 5U);
 }
 
 TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
@@ -60,6 +61,35 @@ TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
   const std::size_t steps =
       report["steps"]["greedy"].get<std::size_t>() + report["steps"]["macro"].get<std::size_t>();
   EXPECT_EQ(report["trace"].size(), steps);
+}
+
+TEST_F(Program, RemeshIsAManifoldOfTheInputsTopology) {
+  for (const std::string vertices : {"seeds", "centroids"}) {
+    const Outcome outcome = relax("--seeds 2 -g mixed --remesh-vertices " + vertices);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find("manifold"), std::string::npos) << outcome.text;
+    const Mesh remesh = read_mesh(out() / "remesh.ply").mesh;
+    const MeshTopology topology = find_topology(remesh, find_edges(remesh));
+    EXPECT_TRUE(topology.is_manifold());
+    EXPECT_EQ(topology.parts, (std::vector<PartTopology>{{0, 0}}));
+    const nlohmann::json told = report_in(out())["remesh"];
+    EXPECT_EQ(told["vertices"], remesh.vertex_count());
+    EXPECT_EQ(told["seeds_added"], remesh.vertex_count() - 2);
+    EXPECT_EQ(told["is_manifold_of_input_topology"], true);
+    EXPECT_EQ(told["topology"], told["input_topology"]);
+    EXPECT_TRUE(told["flaw"].is_null());
+  }
+}
+
+TEST_F(Program, TellsWhyTheRemeshIsNoManifold) {
+  const Outcome outcome = relax("--seeds 2 --no-manifold");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("NO MANIFOLD"), std::string::npos) << outcome.text;
+  const nlohmann::json told = report_in(out())["remesh"];
+  EXPECT_EQ(told["is_manifold_of_input_topology"], false);
+  EXPECT_NE(told["flaw"].get<std::string>().find("--no-manifold"), std::string::npos);
+  EXPECT_EQ(told["obstacles_found"], told["obstacles_left"]);
+  EXPECT_EQ(read_mesh(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
 }
 
 // Sums over seeds.csv and regions.csv agree with each other and with the report.

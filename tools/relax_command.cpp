@@ -68,6 +68,7 @@ const char* describe(End end) {
 
 void print_regions(const RunRecord& run) {
   const RegionSpread areas = region_spread(run.regions);
+  if (!(areas.largest > 0)) return;  // without area
   fmt::print(
       "  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}; isoperimetric ratio "
       "{:.3g}, smallest {:.3g}\n",
