@@ -47,7 +47,8 @@ DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan);
 
 /// A position for each region's vertex of the dual: `site`, or, in regions that reach the boundary,
 /// the point of the boundary where it turns most, if it turns by more than 30 degrees, else the
-/// nearest to `site`. So the dual does not shrink from the boundary.
+/// nearest to `site`; of equals, the vertex with the smaller id. So the dual does not shrink from
+/// the boundary.
 std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
                              const std::vector<Vec3>& site);
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "core/dual_mesh.h"
 
@@ -42,7 +42,7 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
                              const std::vector<Vec3>& site) {
-  std::unordered_map<VertexId, std::vector<VertexId>> beside;  // along the boundary
+  std::map<VertexId, std::vector<VertexId>> beside;  // along the boundary
   for (const OddEdge& edge : surface.odd_edges) {
     if (edge.triangles != 1) continue;
     beside[edge.ends[0]].push_back(edge.ends[1]);
@@ -55,7 +55,8 @@ std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
     double cosine = 1;
     if (neighbours.size() == 2) {
       const Vec3 in = normalized(p - mesh.positions[neighbours[0]]);
-      cosine = dot(in, normalized(mesh.positions[neighbours[1]] - p));
+      const Vec3 out = normalized(mesh.positions[neighbours[1]] - p);
+      if (norm(in) > 0 && norm(out) > 0) cosine = dot(in, out);
     }
     outer[r].offer(p, site[r], cosine);
   }

@@ -63,7 +63,8 @@ class Repairing {
     for (int attempt = 0; attempt < attempts && keep_going_(); ++attempt) {
       std::vector<NodeId> moved = result_.seeds;
       engine_.partition(moved);
-      engine_.macrostep(moved, {keeps_seed, true, true}, [](std::uint32_t) { return true; });
+      engine_.macrostep(moved, {keeps_seed, true, true},
+                        [this](std::uint32_t) { return keep_going_(); });
       if (moved == result_.seeds) return;
       engine_.partition(moved);
       DualisedSeeds settled = dualise_(std::move(moved));
@@ -76,15 +77,24 @@ class Repairing {
     }
   }
 
+  // Large regions stay as well: their seeds would go a long way, and each step is a search.
   [[nodiscard]] std::vector<std::uint8_t> far_from(std::size_t first_new) const {
     const Graph& graph = mesh_graph_.graph;
+    constexpr std::size_t most_nodes = 1 << 13;
     const std::vector<Key>& key = engine_.current().key;
+    std::vector<std::size_t> nodes(result_.seeds.size(), 0);
+    for (const Key k : key) {
+      if (k != unreached) ++nodes[region_of(k)];
+    }
     std::vector<std::uint8_t> keeps_seed(result_.seeds.size(), 1);
     for (NodeId v = 0; v < graph.node_count(); ++v) {
       if (region_of(key[v]) < first_new || key[v] == unreached) continue;
       for (const NodeId u : graph.neighbours(v)) keeps_seed[region_of(key[u])] = 0;
     }
-    for (std::size_t r = first_new; r < keeps_seed.size(); ++r) keeps_seed[r] = 0;
+    for (std::size_t r = 0; r < keeps_seed.size(); ++r) {
+      if (r >= first_new) keeps_seed[r] = 0;
+      if (nodes[r] > most_nodes) keeps_seed[r] = 1;
+    }
     return keeps_seed;
   }
 

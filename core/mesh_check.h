@@ -24,7 +24,7 @@ struct MeshFacts {
   std::size_t components = 0;                 ///< of vertices connected by edges
   std::int64_t euler_characteristic = 0;      ///< vertices - edges + triangles, usable ones only
   double area = 0;                            ///< square mesh units
-  double bounding_diagonal = 0;               ///< mesh units
+  double bounding_diagonal = 0;               ///< of the referenced vertices, mesh units
 };
 
 MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges);

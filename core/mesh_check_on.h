@@ -89,10 +89,14 @@ MeshFacts check_mesh_on(Executor& executor, const Mesh& mesh, const MeshEdges& e
   facts.euler_characteristic =
       static_cast<std::int64_t>(used) - static_cast<std::int64_t>(facts.edges) +
       static_cast<std::int64_t>(facts.triangles - facts.repeated_vertex_triangles);
+  const auto first_used = static_cast<std::size_t>(
+      std::find(referenced.begin(), referenced.end(), 1) - referenced.begin());
   facts.bounding_diagonal =
-      norm(bounding_box_on(executor, mesh.vertex_count(), [&](std::size_t v) -> const Vec3& {
-             return mesh.positions[v];
-           }).extent());
+      norm(bounding_box_on(executor, used > 0 ? mesh.vertex_count() : 0,
+                           [&](std::size_t v) -> const Vec3& {
+                             return mesh.positions[referenced[v] != 0 ? v : first_used];
+                           })
+               .extent());
   return facts;
 }
 

@@ -37,7 +37,8 @@ class Spreading {
       const auto count = static_cast<std::uint32_t>(edges_.corners(e).size());
       if (count != 2) surface_.odd_edges.push_back({edges_.ends[e], count});
     }
-    // Arcs of these graphs are edges of the triangulation.
+    leave_out_unreached();
+    // Arcs of the two other graphs are edges of the triangulation.
     if (mesh_graph_.kind != GraphKind::vertex && mesh_graph_.kind != GraphKind::triangle) {
       give_fragments();
     }
@@ -45,6 +46,16 @@ class Spreading {
   }
 
  private:
+  void leave_out_unreached() {
+    std::erase_if(surface_.triangles, [this](const Triangle& t) {
+      return surface_.region[t[0]] == no_id || surface_.region[t[1]] == no_id ||
+             surface_.region[t[2]] == no_id;
+    });
+    std::erase_if(surface_.odd_edges, [this](const OddEdge& edge) {
+      return surface_.region[edge.ends[0]] == no_id || surface_.region[edge.ends[1]] == no_id;
+    });
+  }
+
   void label_nodes() {
     const std::size_t triangles = has_triangles(mesh_graph_.kind) ? mesh_.triangle_count() : 0;
     surface_.region.assign(mesh_.vertex_count() + triangles, no_id);
@@ -79,8 +90,7 @@ class Spreading {
     const CornerId c = corners[0];
     const PointId u = edge_start(mesh_, c);
     const PointId w = edge_end(mesh_, c);
-    const bool is_plain = corners.size() == 2 && edge_start(mesh_, corners[1]) == w;
-    if (is_plain && goes_across(u, w, centre_of(c), centre_of(corners[1]))) {
+    if (corners.size() == 2 && goes_across(u, w, centre_of(c), centre_of(corners[1]))) {
       surface_.triangles.push_back({u, centre_of(corners[1]), centre_of(c)});
       surface_.triangles.push_back({centre_of(corners[1]), w, centre_of(c)});
       return;

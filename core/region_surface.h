@@ -30,7 +30,8 @@ struct OddEdge {
 /// joins points of one region (both may: the one nearer to its seed). Vertices that are no nodes
 /// belong to the region that is nearest by way of a triangle around them, ties to the smaller.
 /// Arcs of the dense and mixed graphs may cross others'; what they alone joined to its seed is
-/// given to the nearest neighbouring region.
+/// given to the nearest neighbouring region. Parts of the mesh that no seed reaches are left out.
+/// Lengths within a triangle are isotropic, whatever the metric of the graph.
 struct RegionSurface {
   std::size_t vertex_count = 0;
   std::size_t region_count = 0;

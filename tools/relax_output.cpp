@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/errors.h"
 #include "core/file_writer.h"
 #include "parallel/primitives.h"
 #include "tools/frames.h"
@@ -60,6 +61,11 @@ void prepare_output(const RelaxArguments& arguments) {
   others.push_back(arguments.seeds_file);
   for (const char* name : result_names) others.push_back(arguments.output / name);
   check_target(arguments.picture, others);
+  if (!arguments.frames.empty() && arguments.picture.has_parent_path() &&
+      std::filesystem::equivalent(arguments.picture.parent_path(), arguments.frames)) {
+    throw InvalidInput(arguments.picture.string() +
+                       ": is in the folder of the frames: give another place");
+  }
 }
 
 void write_results(const RunRecord& run, Scheduler& scheduler) {

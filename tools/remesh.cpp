@@ -51,7 +51,7 @@ std::string describe(ObstacleKind kind) {
     case ObstacleKind::triple:
       return "meet at several corners";
     case ObstacleKind::isolation:
-      return "touches fewer than two others";
+      return "touches no corner of three";
   }
   return "";
 }
@@ -78,7 +78,7 @@ std::string find_flaw(const Remesh& remesh, bool manifold) {
     const std::string first = name(remesh.obstacles_left.front());
     if (!manifold) return first + ", and seeds were not to be added (--no-manifold)";
     if (interrupted()) return first + ", and the work was interrupted";
-    return first + ", and no node is left there to put a further seed at: use a finer mesh";
+    return first + ", and no further seed there helps: use a finer mesh";
   }
   if (!remesh.topology.is_manifold() || remesh.topology.parts != input.parts) {
     return "its topology differs from the input's";
@@ -122,6 +122,7 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   }
   remesh.seeds = std::move(dualised.seeds);
   remesh.seeds_added = remesh.seeds.size() - input.seeds.size();
+  remesh.given = dualised.surface.given.size();
   remesh.obstacles_left = dualised.dual.obstacles;
   remesh.repeated = dualised.dual.repeated;
   remesh.folded = dualised.dual.folded;

@@ -22,6 +22,7 @@ struct Remesh {
   Mesh mesh;
   std::vector<NodeId> seeds;  ///< per vertex
   std::size_t seeds_added = 0;
+  std::size_t given = 0;  ///< nodes whose region was cut up by others' arcs (region_surface.h)
   std::vector<Obstacle> obstacles_found;  ///< before seeds were added
   std::vector<Obstacle> obstacles_left;
   std::size_t repeated = 0;  ///< corners left out, their triangle being there already

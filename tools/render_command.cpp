@@ -116,7 +116,7 @@ class Renderer {
   std::vector<Colour> colours_;
 };
 
-// All that can be wrong is found before the work.
+// What can be found wrong without the mesh is, before the work.
 std::vector<Panel> check(const RenderArguments& a) {
   std::vector<Panel> panels;
   for (const std::string& text : a.panels) panels.push_back(parse_panel(text));

@@ -50,6 +50,7 @@ Json remesh_part(const Remesh& remesh) {
   return {{"vertices", remesh.mesh.vertex_count()},
           {"triangles", remesh.mesh.triangle_count()},
           {"seeds_added", remesh.seeds_added},
+          {"nodes_given_to_neighbours", remesh.given},
           {"is_manifold_of_input_topology", remesh.flaw.empty()},
           {"flaw", remesh.flaw.empty() ? Json(nullptr) : Json(remesh.flaw)},
           {"topology", topology_part(remesh.topology)},
@@ -69,9 +70,11 @@ Json make_report(const RunRecord& run) {
   report["input"] = mesh_part(run.arguments.mesh, run.input, run.facts);
   report["options"] = engine_part(run);
   report["options"].update(options_part(run.arguments, run.regions.size()));
+  report["options"]["manifold"] = run.arguments.manifold;
+  report["options"]["remesh_vertices"] = run.arguments.remesh_vertices;
   report["graph"] = graph_part(run.mesh_graph.graph, run.components);
   report["end"] = name_of(end_names, relaxation.end);
-  report["interrupted"] = relaxation.end == End::interrupted;
+  report["interrupted"] = run.interrupted;
   report["steps"] = steps_part(count_steps(relaxation));
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;

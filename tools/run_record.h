@@ -40,6 +40,7 @@ struct RunRecord {
   std::vector<Label> labels;  ///< per input id
   Remesh remesh;
   std::optional<GroundTruth> ground_truth;
+  bool interrupted = false;  ///< anything of it is not what it would have been
   StageSeconds seconds;
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
 };

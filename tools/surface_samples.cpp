@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/mesh_edges.h"
 #include "core/mesh_measure.h"
 #include "core/random.h"
 
@@ -13,8 +14,8 @@ SurfaceSamples::SurfaceSamples(const Mesh& mesh, std::size_t count, std::uint64_
     : mesh_(mesh), count_(count), random_seed_(random_seed) {
   area_until_.reserve(mesh.triangle_count());
   double area = 0;
-  for (const Triangle& t : mesh.triangles) {
-    area += triangle_area(mesh, t);
+  for (const double of_triangle : triangle_areas(mesh, find_edges(mesh).duplicates)) {
+    area += of_triangle;
     area_until_.push_back(area);
   }
   if (area == 0) throw InvalidInput("no triangle with an area, so no distance to measure");
