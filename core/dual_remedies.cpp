@@ -18,7 +18,7 @@ Edge sorted(PointId a, PointId b) {
 
 // An edge of the surface, and its number of triangles that lie within one region, which they name.
 struct InnerEdge {
-  Edge ends;
+  Edge ends = {no_id, no_id};
   std::array<std::uint32_t, 2> triangle = {no_id, no_id};
 };
 
@@ -146,7 +146,7 @@ class Searching {
       const auto found = corners_.find(triple);
       if (found != corners_.end()) found->second.push_back(i);
     }
-    std::array<Edge, 3> last;
+    std::array<Edge, 3> last{};
     std::array<Curves*, 3> curve = {nullptr, nullptr, nullptr};
     for (std::size_t c = 0; c < 3; ++c) {
       const auto [a, b] = sorted(r[c], r[(c + 1) % 3]);

@@ -68,7 +68,10 @@ class Repairing {
       if (moved == result_.seeds) return;
       engine_.partition(moved);
       DualisedSeeds settled = dualise_(std::move(moved));
-      if (settled.dual.obstacles.empty()) result_ = std::move(settled);
+      if (settled.dual.obstacles.empty()) {
+        result_ = std::move(settled);
+        continue;
+      }
       for (const Obstacle& obstacle : settled.dual.obstacles) {
         for (const RegionId r : obstacle.regions) {
           if (r != no_id) keeps_seed[r] = 1;

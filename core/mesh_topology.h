@@ -1,8 +1,8 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "core/mesh.h"
@@ -16,7 +16,11 @@ struct PartTopology {
   std::int64_t euler_characteristic = 0;
   std::size_t boundary_loops = 0;
 
-  friend auto operator<=>(const PartTopology&, const PartTopology&) = default;
+  friend bool operator==(const PartTopology&, const PartTopology&) = default;
+  friend bool operator<(const PartTopology& a, const PartTopology& b) {
+    return std::tie(a.euler_characteristic, a.boundary_loops) <
+           std::tie(b.euler_characteristic, b.boundary_loops);
+  }
 };
 
 struct MeshTopology {

@@ -63,7 +63,7 @@ class Borders {
 
   // Where an edge between two regions is as far from one seed as from the other.
   [[nodiscard]] Vec3 cut(PointId a, PointId b) const {
-    const Vec3 from = surface_.position(mesh_, a);
+    Vec3 from = surface_.position(mesh_, a);
     const Vec3 way = surface_.position(mesh_, b) - from;
     const double length = norm(way);
     if (!(length > 0)) return from;
