@@ -16,7 +16,7 @@ Edge sorted(PointId a, PointId b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// An edge of the surface, and its number of triangles that lie within one region, which they name.
+// An edge within a region, and the triangles at it that lie within the region too.
 struct InnerEdge {
   Edge ends = {no_id, no_id};
   std::array<std::uint32_t, 2> triangle = {no_id, no_id};
@@ -40,7 +40,7 @@ class Numbering {
   std::vector<std::uint32_t> ids_;
 };
 
-// Pieces of a curve, and the best point of each of its connected parts.
+// Pieces of curves, and which of them hang together.
 class Curves {
  public:
   void add(Edge piece) { number_.emplace(piece, static_cast<std::uint32_t>(number_.size())); }
@@ -238,7 +238,8 @@ class Searching {
     add(obstacle, farthest_of_nearest(curves));
   }
 
-  // no_id where there is one part only, or none with room for a seed.
+  // Of each curve the point nearest to its seed, of these the farthest; no_id where none has room
+  // for a seed.
   [[nodiscard]] PointId farthest_of_nearest(const Curves& curves) const {
     std::map<std::uint32_t, PointId> nearest;
     curves.for_each_part([&](std::uint32_t part, PointId p) {

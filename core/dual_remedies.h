@@ -16,9 +16,10 @@ struct Remedy {
 /// the waves that run from the seeds meet in a way they should not:
 /// a region that is no disc   at the end of each edge that closes a loop which nothing fills; a
 ///                            sphere, at its farthest point
-/// its several boundaries, or a contact of several curves   of each curve the point nearest to its
-///                            seed, and of these the farthest
-/// a contact that goes from boundary to boundary, a triple, isolation   the farthest point
+/// its share of the boundary, or a contact   of each of its curves the point nearest to the seed,
+///                            and of these the farthest
+/// a triple                   the farthest of the points at its corners
+/// isolation                  the farthest point of the region
 /// None for an obstacle whose regions have no node but their seed.
 std::vector<Remedy> find_remedies(const RegionSurface& surface, const DualMesh& dual);
 

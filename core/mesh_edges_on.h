@@ -108,4 +108,16 @@ std::vector<std::uint8_t> referenced_vertices(Executor& executor, const Mesh& me
   return referenced;
 }
 
+/// Positions of the vertices of usable triangles, by id.
+template <class Executor>
+std::vector<Vec3> referenced_positions(Executor& executor, const Mesh& mesh) {
+  const std::vector<std::uint8_t> referenced = referenced_vertices(executor, mesh);
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.vertex_count());
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (referenced[v] != 0) positions.push_back(mesh.positions[v]);
+  }
+  return positions;
+}
+
 }  // namespace geolloyd

@@ -72,4 +72,11 @@ MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges,
   return make_mesh_graph_on(one, mesh, edges, options);
 }
 
+std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes) {
+  std::vector<Vec3> positions;
+  positions.reserve(nodes.size());
+  for (const NodeId v : nodes) positions.push_back(mesh_graph.position[v]);
+  return positions;
+}
+
 }  // namespace geolloyd

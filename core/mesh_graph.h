@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/arc_length.h"
@@ -40,6 +41,8 @@ struct MeshGraph {
 
   [[nodiscard]] bool is_triangle(std::uint32_t id) const { return id >= first_triangle_id; }
 };
+
+std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes);
 
 struct MeshGraphOptions {
   GraphKind kind = GraphKind::vertex;

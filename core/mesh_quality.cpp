@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "core/mesh_measure.h"
@@ -76,7 +77,7 @@ double smallest_angle(const Mesh& mesh, const Triangle& triangle) {
   const Vec3& a = mesh.positions[triangle[apex]];
   const Vec3 b = mesh.positions[triangle[(apex + 1) % 3]] - a;
   const Vec3 c = mesh.positions[triangle[(apex + 2) % 3]] - a;
-  return std::atan2(norm(cross(b, c)), dot(b, c)) * (180 / 3.141592653589793);
+  return std::atan2(norm(cross(b, c)), dot(b, c)) * (180 / std::numbers::pi);
 }
 
 double triangle_quality(const Mesh& mesh, const Triangle& triangle) {

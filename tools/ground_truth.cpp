@@ -11,13 +11,6 @@
 namespace geolloyd {
 namespace {
 
-std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes) {
-  std::vector<Vec3> positions;
-  positions.reserve(nodes.size());
-  for (const NodeId v : nodes) positions.push_back(mesh_graph.position[v]);
-  return positions;
-}
-
 std::vector<RegionId> nearest_seeds(Scheduler& scheduler, const MeshGraph& mesh_graph,
                                     const Partition& partition, std::span<const Vec3> seeds) {
   const NearestSite nearest(seeds);

@@ -6,7 +6,6 @@
 #include "tools/commands.h"
 #include "tools/experiment.h"
 #include "tools/ground_truth_output.h"
-#include "tools/measured_run.h"
 #include "tools/stages.h"
 
 namespace geolloyd {
@@ -21,13 +20,9 @@ void run_ground_truth(const RelaxArguments& arguments) {
   run.relaxation.seeds = prepare(run, scheduler, progress);
   prepare_ground_truth_output(arguments);
   const std::vector<NodeId>& seeds = run.relaxation.seeds;
-  const Graph& graph = run.mesh_graph.graph;
   run.threads = scheduler.threads();
   progress.stage("partitioning");
-  const auto engine = make_engine(EngineKind::parallel,
-                                  value_of(frontier_names, arguments.frontier), scheduler, graph);
-  engine->partition(seeds);
-  run.relaxation.partition = engine->current();
+  partition_seeds(run, scheduler);
   find_ground_truth(run, scheduler, progress);
   write_ground_truth(run);
   progress.clear();

@@ -33,17 +33,6 @@ Layout arrange_in(int columns, std::size_t panels, bool has_captions, Size size,
   return layout;
 }
 
-// Others are not to be seen.
-std::vector<Vec3> used_positions(const Mesh& mesh, Scheduler& scheduler) {
-  const std::vector<std::uint8_t> referenced = referenced_vertices(scheduler, mesh);
-  std::vector<Vec3> positions;
-  positions.reserve(mesh.vertex_count());
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (referenced[v] != 0) positions.push_back(mesh.positions[v]);
-  }
-  return positions;
-}
-
 // How large something of this aspect is in a panel.
 double scale_of(const Layout& layout, double aspect) {
   return std::min<double>(layout.panel.width, layout.panel.height / aspect);
@@ -64,7 +53,8 @@ Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) 
 
 Picture::Picture(const Mesh& mesh, const RelaxArguments& arguments, std::size_t panels,
                  bool has_captions, Scheduler& scheduler) {
-  const Outline outline = outline_of(used_positions(mesh, scheduler), parse_view(arguments.view));
+  const Outline outline =
+      outline_of(referenced_positions(scheduler, mesh), parse_view(arguments.view));
   layout_ = arrange(panels, has_captions, parse_size(arguments.size), aspect_of(outline));
   scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, scheduler);
 }

@@ -31,22 +31,13 @@ void require_area(const MeshFile& mesh) {
   throw InvalidInput(mesh.file.string() + ": no triangle with an area, so no distance to measure");
 }
 
-std::vector<Vec3> sites_of(const Mesh& remesh, Scheduler& scheduler) {
-  const std::vector<std::uint8_t> referenced = referenced_vertices(scheduler, remesh);
-  std::vector<Vec3> sites;
-  for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
-    if (referenced[v] != 0) sites.push_back(remesh.positions[v]);
-  }
-  return sites;
-}
-
 // Of the remesh's vertices, and of the hexagonal tiling with as many regions.
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
   const Mesh& mesh = likeness.original.input.mesh;
   const Buffer<double> areas = triangle_areas_on(scheduler, mesh, edges.duplicates);
   const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
-  const std::vector<Vec3> sites = sites_of(remesh, scheduler);
+  const std::vector<Vec3> sites = referenced_positions(scheduler, remesh);
   const double area = likeness.original.facts.area;
   likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());

@@ -93,10 +93,7 @@ std::vector<Vec3> find_sites(const RemeshInput& input, const std::vector<NodeId>
     return make_ground_truth(scheduler, input.mesh, input.mesh_graph, input.engine.current(), seeds)
         .surface_centroid;
   }
-  std::vector<Vec3> sites;
-  sites.reserve(seeds.size());
-  for (const NodeId seed : seeds) sites.push_back(input.mesh_graph.position[seed]);
-  return sites;
+  return positions_of(input.mesh_graph, seeds);
 }
 
 }  // namespace

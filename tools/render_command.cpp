@@ -7,7 +7,6 @@
 #include "tools/commands.h"
 #include "tools/ground_truth.h"
 #include "tools/labels.h"
-#include "tools/measured_run.h"
 #include "tools/output_folder.h"
 #include "tools/picture.h"
 #include "tools/remesh.h"
@@ -61,10 +60,7 @@ class Renderer {
 
   void find_partition() {
     run_.relaxation.seeds = prepare(run_, scheduler_, progress_);
-    engine_ = make_engine(EngineKind::parallel, value_of(frontier_names, run_.arguments.frontier),
-                          scheduler_, run_.mesh_graph.graph);
-    engine_->partition(run_.relaxation.seeds);
-    run_.relaxation.partition = engine_->current();
+    engine_ = partition_seeds(run_, scheduler_);
     colours_ = colours_of_regions(run_.mesh_graph.graph, run_.relaxation.partition,
                                   run_.relaxation.seeds.size());
   }

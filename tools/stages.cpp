@@ -9,6 +9,7 @@
 #include "parallel/mesh_check.h"
 #include "parallel/mesh_edges.h"
 #include "parallel/mesh_graph.h"
+#include "tools/measured_run.h"
 #include "tools/names.h"
 
 namespace geolloyd {
@@ -76,6 +77,14 @@ void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progr
   run.ground_truth = make_ground_truth(scheduler, run.input.mesh, run.mesh_graph,
                                        run.relaxation.partition, run.relaxation.seeds);
   run.seconds.ground_truth = watch.seconds();
+}
+
+std::unique_ptr<Engine> partition_seeds(RunRecord& run, Scheduler& scheduler) {
+  auto engine = make_engine(EngineKind::parallel, value_of(frontier_names, run.arguments.frontier),
+                            scheduler, run.mesh_graph.graph);
+  engine->partition(run.relaxation.seeds);
+  run.relaxation.partition = engine->current();
+  return engine;
 }
 
 }  // namespace geolloyd

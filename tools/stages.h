@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "parallel/scheduler.h"
@@ -23,5 +24,8 @@ std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& 
 
 /// Of the relaxation's seeds and partition.
 void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
+
+/// The partition of run.relaxation.seeds as they are. Returns the engine that found it.
+std::unique_ptr<Engine> partition_seeds(RunRecord& run, Scheduler& scheduler);
 
 }  // namespace geolloyd

@@ -129,17 +129,10 @@ void draw_dots(std::span<const Vec3> places, double radius, const Colour& colour
   draw(inner, {colour, 1}, scene, canvas, scheduler);
 }
 
-std::vector<Vec3> positions_of(const PartitionView& view) {
-  std::vector<Vec3> positions;
-  positions.reserve(view.seeds.size());
-  for (const NodeId seed : view.seeds) positions.push_back(view.mesh_graph.position[seed]);
-  return positions;
-}
-
 void draw_seeds(const PartitionView& view, std::span<const RegionId> shown, const Scene& scene,
                 Canvas& canvas, Scheduler& scheduler) {
-  draw_dots(positions_of(view), dot_radius(shown, view.seeds.size()), black, white, scene, canvas,
-            scheduler);
+  draw_dots(positions_of(view.mesh_graph, view.seeds), dot_radius(shown, view.seeds.size()), black,
+            white, scene, canvas, scheduler);
 }
 
 SubtreeSums subtrees(const Graph& graph, const Partition& partition) {
@@ -264,7 +257,7 @@ Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scen
 Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
                           std::span<const Vec3> centroid, const Scene& scene,
                           Scheduler& scheduler) {
-  const std::vector<Vec3> seeds = positions_of(view);
+  const std::vector<Vec3> seeds = positions_of(view.mesh_graph, view.seeds);
   const std::vector<RegionId> shown =
       show_nearest(scene, view.mesh_graph, region_of_node, seeds, scheduler);
   Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, scheduler);
