@@ -15,6 +15,7 @@
 #include "core/shapes.h"
 #include "tests/naive.h"
 #include "tests/random_graph.h"
+#include "tests/same_relaxation.h"
 
 namespace geolloyd {
 namespace {
@@ -208,26 +209,6 @@ TEST(Relaxation, StopsWhenToldWithTheBestStateSoFar) {
   EXPECT_EQ(whole.end, End::converged);
 }
 
-void expect_same_course(const Relaxation& a, const Relaxation& b) {
-  ASSERT_EQ(a.fingerprint, b.fingerprint);
-  ASSERT_EQ(a.seeds, b.seeds);
-  ASSERT_EQ(a.end, b.end);
-  ASSERT_EQ(a.energy, b.energy);
-  ASSERT_EQ(a.partition.key, b.partition.key);
-  ASSERT_EQ(a.partition.parent, b.partition.parent);
-  ASSERT_EQ(a.region_score, b.region_score);
-  ASSERT_EQ(a.steps.size(), b.steps.size());
-  for (std::size_t i = 0; i < a.steps.size(); ++i) {
-    ASSERT_EQ(a.steps[i].phase, b.steps[i].phase) << i;
-    ASSERT_EQ(a.steps[i].seeds_moved, b.steps[i].seeds_moved) << i;
-    ASSERT_EQ(a.steps[i].node_visits, b.steps[i].node_visits) << i;
-    ASSERT_EQ(a.steps[i].score, b.steps[i].score) << i;
-    ASSERT_EQ(a.steps[i].energy, b.steps[i].energy) << i;
-    ASSERT_EQ(a.steps[i].state, b.steps[i].state) << i;
-    ASSERT_EQ(a.steps[i].microsteps, b.steps[i].microsteps) << i;
-  }
-}
-
 Relaxation resume(const Graph& graph, RelaxationState state, const RelaxationOptions& options) {
   const auto engine = make_reference_engine(graph);
   return relax(graph, *engine, state, options);
@@ -244,10 +225,10 @@ TEST(Relaxation, GoesOnFromAnyBoundaryAsIfNeverLeft) {
       const auto engine = make_reference_engine(graph);
       const Relaxation whole = relax(graph, *engine, state, options, {},
                                      [&](const RelaxationState& s) { boundaries.push_back(s); });
-      expect_same_course(whole, run(graph, seeds, options));
+      expect_same(whole, run(graph, seeds, options));
       ASSERT_EQ(boundaries.size(), whole.steps.size() + 1);
       for (const RelaxationState& boundary : boundaries) {
-        expect_same_course(whole, resume(graph, boundary, options));
+        expect_same(whole, resume(graph, boundary, options));
       }
     }
   });
@@ -271,7 +252,7 @@ TEST(Relaxation, GoesOnFromTheLastBoundaryBeforeAnInterrupt) {
           relax(graph, *engine, state, options, [&](const Progress&) { return --left > 0; });
       ASSERT_EQ(part.end, End::interrupted);
       ASSERT_EQ(part.steps.size(), state.steps.size() + 1);
-      expect_same_course(whole, resume(graph, state, options));
+      expect_same(whole, resume(graph, state, options));
     }
   }
 }
@@ -287,7 +268,7 @@ TEST(Relaxation, GoesBeyondALimitItWasStoppedAt) {
     const Relaxation part = relax(graph, *engine, state, options);
     ASSERT_EQ(steps_in(part, Phase::precise), state.steps.size() - steps_in(part, Phase::greedy));
     if (part.end == End::limit) continue;
-    expect_same_course(whole, part);
+    expect_same(whole, part);
     return;
   }
   FAIL() << "no end in 100 macrosteps";
