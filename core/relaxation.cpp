@@ -48,16 +48,13 @@ class LloydLoop {
     if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps) return End::limit;
     const Stopwatch watch;
     const KernelSeconds before = engine_.seconds();
-    Attempt next{begin_step(phase), state_.seeds, {}};
-    if (phase == Phase::precise && has_macrostep_from(next.step.state)) return End::recurred;
-    const bool is_complete = phase == Phase::greedy ? greedy_step(next) : macrostep(next);
-    is_partitioned_ = is_complete && next.step.seeds_moved == 0;
-    next.step.seconds = since(before, engine_.seconds(), watch.seconds());
-    if (!is_complete) {
-      cut_short_ = std::move(next);
-      return End::interrupted;
-    }
-    accept(std::move(next));
+    begin_step(phase);
+    if (phase == Phase::precise && has_macrostep_from(next_.step.state)) return End::recurred;
+    is_cut_short_ = !(phase == Phase::greedy ? greedy_step() : macrostep());
+    is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0;
+    next_.step.seconds = since(before, engine_.seconds(), watch.seconds());
+    if (is_cut_short_) return End::interrupted;
+    accept_step();
     return std::nullopt;
   }
 
@@ -90,39 +87,40 @@ class LloydLoop {
     });
   }
 
-  Step begin_step(Phase phase) {
-    Step step;
-    step.phase = phase;
+  void begin_step(Phase phase) {
     engine_.partition(state_.seeds);
     is_partitioned_ = true;
-    step.node_visits = graph_.node_count();
-    step.score = total_score();
-    step.energy = to_energy(graph_, step.score);
-    step.state = engine_.state_digest(state_.seeds);
-    if (step.score < lowest_score(state_.steps)) state_.best_seeds = state_.seeds;
-    return step;
+    next_.seeds = state_.seeds;
+    next_.scores.clear();
+    next_.step = {};
+    next_.step.phase = phase;
+    next_.step.node_visits = graph_.node_count();
+    next_.step.score = total_score();
+    next_.step.energy = to_energy(graph_, next_.step.score);
+    next_.step.state = engine_.state_digest(state_.seeds);
+    if (next_.step.score < lowest_score(state_.steps)) state_.best_seeds = state_.seeds;
   }
 
-  bool greedy_step(Attempt& next) {
-    move_greedily(engine_.greedy_candidates(state_.seeds, extended()), next);
+  bool greedy_step() {
+    move_greedily(engine_.greedy_candidates(state_.seeds, extended()));
     return notify(
-        {Phase::greedy, next_number(Phase::greedy), next.step.seeds_moved, next.step.energy});
+        {Phase::greedy, next_number(Phase::greedy), next_.step.seeds_moved, next_.step.energy});
   }
 
-  void move_greedily(const std::vector<NodeId>& candidates, Attempt& next) {
+  void move_greedily(const std::vector<NodeId>& candidates) {
     std::vector<bool>& has_been_seed = state_.has_been_seed;
     has_been_seed.resize(graph_.node_count(), false);
     for (const NodeId s : state_.seeds) has_been_seed[s] = true;
     for (std::size_t r = 0; r < candidates.size(); ++r) {
       if (candidates[r] == no_id || has_been_seed[candidates[r]]) continue;
-      next.seeds[r] = candidates[r];
-      ++next.step.seeds_moved;
+      next_.seeds[r] = candidates[r];
+      ++next_.step.seeds_moved;
     }
   }
 
-  bool macrostep(Attempt& next) {
+  bool macrostep() {
     const std::span<const Score> scores = engine_.region_scores();
-    next.scores.assign(scores.begin(), scores.end());
+    next_.scores.assign(scores.begin(), scores.end());
     const std::size_t regions = scores.size();
     std::vector<std::uint8_t> keeps_seed(regions, 0);
     if (options_.macrostep_skip && !state_.last_scores.empty()) {
@@ -132,26 +130,26 @@ class LloydLoop {
     }
     bool goes_on = true;
     const std::uint32_t number = next_number(Phase::precise);
-    next.step.microsteps = engine_.macrostep(
-        next.seeds, {keeps_seed, extended(), options_.microstep_skip},
+    next_.step.microsteps = engine_.macrostep(
+        next_.seeds, {keeps_seed, extended(), options_.microstep_skip},
         [&](std::uint32_t seeds_moving) {
-          goes_on = goes_on && notify({Phase::precise, number, seeds_moving, next.step.energy});
+          goes_on = goes_on && notify({Phase::precise, number, seeds_moving, next_.step.energy});
           return goes_on;
         });
-    for (const Microstep& microstep : next.step.microsteps) {
-      next.step.node_visits += microstep.node_visits;
+    for (const Microstep& microstep : next_.step.microsteps) {
+      next_.step.node_visits += microstep.node_visits;
     }
     for (std::size_t r = 0; r < regions; ++r) {
-      if (next.seeds[r] != state_.seeds[r]) ++next.step.seeds_moved;
+      if (next_.seeds[r] != state_.seeds[r]) ++next_.step.seeds_moved;
     }
     return goes_on;
   }
 
-  void accept(Attempt next) {
-    if (next.step.phase == Phase::precise) state_.has_been_seed.clear();
-    state_.seeds = std::move(next.seeds);
-    state_.last_scores = std::move(next.scores);
-    state_.steps.push_back(std::move(next.step));
+  void accept_step() {
+    if (next_.step.phase == Phase::precise) state_.has_been_seed.clear();
+    state_.seeds.swap(next_.seeds);
+    state_.last_scores.swap(next_.scores);
+    state_.steps.push_back(std::move(next_.step));
   }
 
   Relaxation finish(End end) {
@@ -159,9 +157,9 @@ class LloydLoop {
     result.end = end;
     result.steps = state_.steps;
     result.seeds = state_.seeds;
-    if (cut_short_) {
-      result.steps.push_back(cut_short_->step);
-      result.seeds = cut_short_->seeds;
+    if (is_cut_short_) {
+      result.steps.push_back(next_.step);
+      result.seeds = next_.seeds;
     }
     if (!is_partitioned_) engine_.partition(result.seeds);
     if (end != End::converged && lowest_score(result.steps) < total_score()) {
@@ -193,7 +191,8 @@ class LloydLoop {
   const RelaxationOptions& options_;
   const Observer& observer_;
   bool is_partitioned_ = false;  // the engine holds the partition of the seeds as they are
-  std::optional<Attempt> cut_short_;
+  Attempt next_;
+  bool is_cut_short_ = false;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "tests/temporary_folder.h"
 #include "tools/flat_map.h"
 #include "tools/output_folder.h"
+#include "tools/resumable.h"
 
 namespace geolloyd {
 namespace {
@@ -213,6 +214,22 @@ TEST_F(CheckpointTest, OfALaterProgramSaysWhose) {
   outer["program"] = "geolloyd 7.8.9";
   write(encode(outer));
   EXPECT_NE(refusal().find("was written by geolloyd 7.8.9"), std::string::npos) << refusal();
+}
+
+// A disk may be full for a while: that is said, and the work goes on.
+TEST_F(CheckpointTest, ThatCannotBeWrittenEndsNoRelaxation) {
+  RunRecord run;
+  run.mesh_graph.graph = graph_;
+  run.arguments.output = folder_.path() / "missing";
+  run.arguments.checkpoint_seconds = 0;
+  ResumableRelaxation relaxation(run, first_);
+  Scheduler scheduler(1);
+  ProgressLine progress;
+  testing::internal::CaptureStderr();
+  const auto engine = relaxation.relax(scheduler, progress);
+  EXPECT_FALSE(relaxation.save(progress));
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("missing"), std::string::npos);
+  expect_same(whole_, run.relaxation);
 }
 
 TEST(FlatMap, ReadsWhatWasWritten) {
