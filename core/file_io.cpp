@@ -33,6 +33,21 @@ class Descriptor {
   int number_;
 };
 
+// The name by which a descriptor's file can be linked to another.
+std::string name_of(int descriptor) {
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+// Null where the file system knows no files without a name, or they could not be given one.
+std::FILE* open_unnamed(const std::filesystem::path& folder) {
+  const int number = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC,
+                            S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
+  if (number < 0) return nullptr;
+  std::FILE* file = ::access(name_of(number).c_str(), F_OK) == 0 ? ::fdopen(number, "wb") : nullptr;
+  if (file == nullptr) ::close(number);
+  return file;
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
@@ -65,13 +80,16 @@ OutputFile::OutputFile(std::filesystem::path path)
       !std::filesystem::is_regular_file(path_, ignored)) {
     throw IoError(path_.string() + ": cannot write: not a regular file");
   }
+  file_.reset(open_unnamed(path_.parent_path()));
+  if (file_) return;
   file_.reset(std::fopen(temporary_.c_str(), "wbe"));
   if (!file_) fail(path_, "cannot write", errno);
+  has_name_ = true;
 }
 
 OutputFile::~OutputFile() {
-  if (!file_) return;
   file_.reset();
+  if (!has_name_) return;
   std::error_code ignored;
   std::filesystem::remove(temporary_, ignored);
 }
@@ -84,8 +102,20 @@ void OutputFile::write(std::string_view bytes) {
 
 void OutputFile::commit() {
   if (std::fflush(file_.get()) != 0) fail(path_, "cannot write", errno);
+  if (!has_name_) take_name();
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
+  has_name_ = false;
   file_.reset();
+}
+
+// No file can be linked over another, but any can be renamed over one.
+void OutputFile::take_name() {
+  ::unlink(temporary_.c_str());  // left by a process of the same id that was killed right here
+  if (::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD, temporary_.c_str(),
+               AT_SYMLINK_FOLLOW) != 0) {
+    fail(path_, "cannot write", errno);
+  }
+  has_name_ = true;
 }
 
 }  // namespace geolloyd

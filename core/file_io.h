@@ -11,9 +11,10 @@ namespace geolloyd {
 /// The whole file. Throws IoError (missing, a directory, unreadable), naming it.
 std::string read_file(const std::filesystem::path& path);
 
-/// A file that appears whole or not at all: written under a temporary name beside `path`, renamed
-/// by commit(), removed if the object goes before that. Throws IoError; also where `path` is a
-/// folder, a device or a pipe.
+/// A file that appears whole, by commit(), or not at all. Until then it has no name, so that nothing
+/// is left of it however the program ends; on a file system that has no such files, a temporary name
+/// beside `path`, and is removed with the object. Throws IoError; also where `path` is a folder, a
+/// device or a pipe.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -25,6 +26,8 @@ class OutputFile {
   void commit();
 
  private:
+  void take_name();
+
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
@@ -32,6 +35,7 @@ class OutputFile {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   std::unique_ptr<std::FILE, Close> file_;
+  bool has_name_ = false;  ///< temporary_
 };
 
 }  // namespace geolloyd

@@ -1,5 +1,7 @@
 #include "core/fingerprint.h"
 
+#include <bit>
+
 namespace geolloyd {
 
 using fingerprint_detail::at_place;
@@ -21,6 +23,17 @@ std::uint64_t digest(std::span<const NodeId> seeds, const Partition& partition) 
 
 std::uint64_t digest(std::span<const NodeId> seeds, std::uint64_t sum_of_nodes) {
   return mix_bits(digest(seeds) + sum_of_nodes);
+}
+
+std::uint64_t digest(const Graph& graph) {
+  std::uint64_t all = 0;
+  for (const auto* numbers : {&graph.first_arc, &graph.target, &graph.length, &graph.mass}) {
+    all = chain(all, digest(*numbers));
+  }
+  for (const double tick : {graph.tick_length, graph.tick_mass}) {
+    all = chain(all, std::bit_cast<std::uint64_t>(tick));
+  }
+  return all;
 }
 
 std::uint64_t chain(std::uint64_t fingerprint, std::uint64_t next_digest) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/graph.h"
 #include "core/partition.h"
 #include "core/random.h"
 
@@ -16,6 +17,9 @@ std::uint64_t digest(std::span<const NodeId> seeds);
 std::uint64_t digest(std::span<const NodeId> seeds, const Partition& partition);
 std::uint64_t digest(std::span<const NodeId> seeds, std::uint64_t sum_of_nodes);
 inline std::uint64_t digest(NodeId node, Key key, NodeId parent);
+
+/// 64 bits for all of a graph.
+std::uint64_t digest(const Graph& graph);
 
 /// The digest of a sequence of states.
 std::uint64_t chain(std::uint64_t fingerprint, std::uint64_t next_digest);

@@ -48,6 +48,16 @@ enum class End {
   recurred      ///< the seeds came back to where they had been before: it would go on for ever
 };
 
+/// A relaxation between two steps: all that the rest of its course depends on, whatever engine
+/// takes it from there.
+struct RelaxationState {
+  std::vector<NodeId> seeds;        ///< with which the next step begins
+  std::vector<NodeId> best_seeds;   ///< those of the lowest score met so far, the earliest of them
+  std::vector<bool> has_been_seed;  ///< per node, in the greedy phase; else empty
+  std::vector<Score> last_scores;   ///< per region at the start of the last macrostep, if any
+  std::vector<Step> steps;          ///< taken so far
+};
+
 struct Relaxation {
   std::vector<NodeId> seeds;
   Partition partition;  ///< of `seeds`, regions free
@@ -69,10 +79,20 @@ struct Progress {
 /// Returns false to stop as soon as possible. Called by the thread that called relax().
 using Observer = std::function<bool(const Progress&)>;
 
+/// Called after each step that was taken to its end.
+using Boundary = std::function<void(const RelaxationState&)>;
+
 /// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
 /// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. Where it
 /// ends before it has converged, the result is the best state met.
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
                  const RelaxationOptions& options, const Observer& observer = {});
+
+/// The same from any state of it, with the same seeds at first and the same options but for the
+/// limits: course, result and fingerprint are those of a relaxation never left. `state`, which at
+/// first need not hold more than seeds, becomes that after the last step taken to its end.
+Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
+                 const RelaxationOptions& options, const Observer& observer = {},
+                 const Boundary& boundary = {});
 
 }  // namespace geolloyd

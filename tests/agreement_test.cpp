@@ -254,17 +254,21 @@ TEST(Agreement, OfAnInterruptedRunThatGoesOn) {
   for (const GreedyMode greedy : {GreedyMode::extended, GreedyMode::off}) {
     RelaxationOptions options;
     options.greedy = greedy;
+    const Relaxation whole = relax_by_reference(graph, seeds, options);
     for_all_teams(std::array{Frontier::automatic}, [&](Scheduler& scheduler, Frontier frontier) {
       const auto engine = make_parallel_engine(scheduler, graph, frontier);
       for (const int calls : {1, 2, 5, 20}) {
         int left = calls;
+        RelaxationState state;
+        state.seeds = seeds;
         const Relaxation part =
-            relax(graph, *engine, seeds, options, [&](const Progress&) { return --left > 0; });
+            relax(graph, *engine, state, options, [&](const Progress&) { return --left > 0; });
         if (left > 0) continue;  // other threads were too fast to be asked more often
         ASSERT_EQ(part.end, End::interrupted);
         for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
         expect_same(relax_by_reference(graph, part.seeds, options),
                     relax(graph, *engine, part.seeds, options));
+        expect_same(whole, relax(graph, *engine, state, options));
         if (testing::Test::HasFatalFailure()) return;
       }
     });

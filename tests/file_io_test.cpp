@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "core/errors.h"
 #include "tests/temporary_folder.h"
@@ -68,20 +73,59 @@ TEST(FileIo, SaysWhichFileCannotBeUsedAndWhy) {
             "/dev/null: cannot write: not a regular file");
 }
 
-TEST(FileIo, NoticesAFullDisk) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  // The temporary name beside the target is a link to the device that is always full.
+TEST(FileIo, NoticesThatThereIsNoRoom) {
   const TemporaryFolder folder;
-  const fs::path path = folder.path() / "a";
-  fs::create_symlink("/dev/full", path.string() + ".part" + std::to_string(::getpid()));
-  OutputFile file(path);
-  EXPECT_THROW(
-      {
-        file.write(std::string(5'000'000, 'x'));
-        file.commit();
-      },
-      IoError);
-  EXPECT_FALSE(fs::exists(path));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1'000'000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  {
+    OutputFile file(folder.path() / "a");
+    EXPECT_THROW(
+        {
+          file.write(std::string(5'000'000, 'x'));
+          file.commit();
+        },
+        IoError);
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+// However a process ends. (On file systems without files that have no name one is left.)
+TEST(FileIo, LeavesNothingOfAFileWhoseProcessIsKilled) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    OutputFile file(folder.path() / "a");
+    file.write(std::string(5'000'000, 'x'));
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+TEST(FileIo, WritesWhereAKilledProcessOfTheSameIdLeftItsFile) {
+  const TemporaryFolder folder;
+  const fs::path left = folder.write("a.part" + std::to_string(::getpid()), "left");
+  OutputFile file(folder.path() / "a");
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(read_file(folder.path() / "a"), "new");
+  EXPECT_FALSE(fs::exists(left));
+}
+
+TEST(FileIo, GivesFilesTheUsersPermissions) {
+  const TemporaryFolder folder;
+  const mode_t mask = ::umask(027);
+  OutputFile file(folder.path() / "a");
+  ::umask(mask);
+  file.commit();
+  EXPECT_EQ(fs::status(folder.path() / "a").permissions(), static_cast<fs::perms>(0640));
 }
 
 }  // namespace

@@ -78,10 +78,12 @@ class Program : public testing::Test {
   fs::path mesh_;
 };
 
-// The program in the background, once `folder` is there: then it catches interrupts.
+// The program in the background; where a folder is given, once that is there: then it catches
+// interrupts.
 class Running {
  public:
-  Running(const std::vector<std::string>& arguments, const fs::path& text, const fs::path& folder)
+  Running(const std::vector<std::string>& arguments, const fs::path& text,
+          const fs::path& folder = {})
       : id_(::fork()) {
     if (id_ == 0) {
       if (std::freopen(text.c_str(), "w", stdout) == nullptr) ::_exit(126);
@@ -91,6 +93,7 @@ class Running {
       ::execv(GEOLLOYD_PROGRAM, argv.data());
       ::_exit(127);
     }
+    if (folder.empty()) return;
     while (!fs::exists(folder) && ::waitpid(id_, &status_, WNOHANG) == 0) ::usleep(1000);
     has_ended_ = !fs::exists(folder);
   }

@@ -292,6 +292,15 @@ TEST_F(Program, AnswersUnwritableOutputWithOneLineBeforeTheWork) {
   expect_complaint(geolloyd_with("generate torus -o " + file + ".xyz"), ".xyz");
 }
 
+// Where a report is, all files are of its run: here there is room for some of them only.
+TEST_F(Program, TakesAwayTheOldReportBeforeItReplacesTheOldFiles) {
+  ASSERT_EQ(relax("--seeds 4").status, 0);
+  const Outcome outcome = run_shell("trap '' XFSZ; ulimit -f 8; " GEOLLOYD_PROGRAM " relax " +
+                                    mesh_.string() + " --seeds 5 -o " + out().string());
+  expect_complaint(outcome, "File too large");
+  EXPECT_FALSE(fs::exists(out() / "report.json"));
+}
+
 TEST_F(Program, RefusesToOverwriteItsInput) {
   ASSERT_EQ(relax("--seeds 4").status, 0);
   mesh_ = out() / "tessellation.ply";

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <numeric>
+#include <string>
 
 #include "core/check_partition.h"
 #include "core/energy.h"
@@ -14,6 +15,7 @@
 #include "core/shapes.h"
 #include "tests/naive.h"
 #include "tests/random_graph.h"
+#include "tests/same_relaxation.h"
 
 namespace geolloyd {
 namespace {
@@ -207,6 +209,71 @@ TEST(Relaxation, StopsWhenToldWithTheBestStateSoFar) {
   EXPECT_EQ(whole.end, End::converged);
 }
 
+Relaxation resume(const Graph& graph, RelaxationState state, const RelaxationOptions& options) {
+  const auto engine = make_reference_engine(graph);
+  return relax(graph, *engine, state, options);
+}
+
+TEST(Relaxation, GoesOnFromAnyBoundaryAsIfNeverLeft) {
+  for_random_cases_in_all_modes([](const Graph& graph, const std::vector<NodeId>& seeds,
+                                   RelaxationOptions options) {
+    for (const std::uint32_t limit : {1U, 3U, RelaxationOptions::no_limit}) {
+      options.max_greedy_steps = options.max_macrosteps = limit;
+      RelaxationState state;
+      state.seeds = seeds;
+      std::vector<RelaxationState> boundaries = {state};
+      const auto engine = make_reference_engine(graph);
+      const Relaxation whole = relax(graph, *engine, state, options, {},
+                                     [&](const RelaxationState& s) { boundaries.push_back(s); });
+      expect_same(whole, run(graph, seeds, options));
+      ASSERT_EQ(boundaries.size(), whole.steps.size() + 1);
+      for (const RelaxationState& boundary : boundaries) {
+        expect_same(whole, resume(graph, boundary, options));
+      }
+    }
+  });
+}
+
+TEST(Relaxation, GoesOnFromTheLastBoundaryBeforeAnInterrupt) {
+  const Graph graph = grid_graph(12, 12);
+  const std::vector<NodeId> seeds = {0, 1, 2, 3, 4, 5};
+  for (const GreedyMode mode : all_modes) {
+    RelaxationOptions options;
+    options.greedy = mode;
+    const Relaxation whole = run(graph, seeds, options);
+    int calls = 0;
+    run(graph, seeds, options, [&](const Progress&) { return ++calls > 0; });
+    for (int last = 1; last <= calls; ++last) {
+      RelaxationState state;
+      state.seeds = seeds;
+      const auto engine = make_reference_engine(graph);
+      int left = last;
+      const Relaxation part =
+          relax(graph, *engine, state, options, [&](const Progress&) { return --left > 0; });
+      ASSERT_EQ(part.end, End::interrupted);
+      ASSERT_EQ(part.steps.size(), state.steps.size() + 1);
+      expect_same(whole, resume(graph, state, options));
+    }
+  }
+}
+
+TEST(Relaxation, GoesBeyondALimitItWasStoppedAt) {
+  const Graph graph = grid_graph(30, 30);
+  RelaxationOptions options;
+  RelaxationState state;
+  state.seeds = {0, 1, 2, 3};
+  const Relaxation whole = run(graph, state.seeds, options);
+  const auto engine = make_reference_engine(graph);
+  for (options.max_macrosteps = 1; options.max_macrosteps < 100; ++options.max_macrosteps) {
+    const Relaxation part = relax(graph, *engine, state, options);
+    ASSERT_EQ(steps_in(part, Phase::precise), state.steps.size() - steps_in(part, Phase::greedy));
+    if (part.end == End::limit) continue;
+    expect_same(whole, part);
+    return;
+  }
+  FAIL() << "no end in 100 macrosteps";
+}
+
 TEST(Relaxation, KeepsToItsLimits) {
   const Graph graph = grid_graph(30, 30);
   RelaxationOptions options;
@@ -226,7 +293,7 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
    public:
     void partition(std::span<const NodeId>) override {}
     std::span<const Score> region_scores() const override { return score_; }
-    std::uint64_t state_digest(std::span<const NodeId>) const override { return 0; }
+    std::uint64_t state_digest(std::span<const NodeId> seeds) const override { return seeds[0]; }
     std::vector<NodeId> greedy_candidates(std::span<const NodeId>, bool) override {
       return {no_id};
     }
@@ -244,7 +311,13 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
     KernelSeconds seconds_;
   };
   Swinging engine;
-  EXPECT_EQ(relax(grid_graph(1, 2), engine, {0}, {}).end, End::recurred);
+  RelaxationState state;
+  state.seeds = {0};
+  for (const std::string time : {"first", "resumed"}) {
+    const Relaxation result = relax(grid_graph(1, 2), engine, state, {});
+    EXPECT_EQ(result.end, End::recurred) << time;
+    EXPECT_EQ(steps_in(result, Phase::precise), 2U) << time;
+  }
 }
 
 // Twelve regions on the sphere should come near the dodecahedron's.

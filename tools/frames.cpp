@@ -38,6 +38,7 @@ void prepare_frames(const RelaxArguments& arguments) {
   const std::array<const char*, 1> names = {first.c_str()};
   const std::vector<std::filesystem::path> others;
   prepare_folder(arguments.frames, names, others);
+  if (arguments.resume) return;
   for (const auto& entry : std::filesystem::directory_iterator(arguments.frames)) {
     if (!is_frame_name(entry.path().filename().string())) continue;
     throw InvalidInput(entry.path().string() +
@@ -45,11 +46,19 @@ void prepare_frames(const RelaxArguments& arguments) {
   }
 }
 
-FramesEngine::FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler)
+FramesEngine::FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler,
+                           std::span<const NodeId> first_seeds, std::span<const Step> steps)
     : engine_(engine),
       run_(run),
       scheduler_(scheduler),
-      picture_(run.input.mesh, run.arguments, 1, true, scheduler) {}
+      picture_(run.input.mesh, run.arguments, 1, true, scheduler),
+      frames_(static_cast<std::uint32_t>(steps.size())),
+      greedy_frames_(static_cast<std::uint32_t>(
+          std::count_if(steps.begin(), steps.end(),
+                        [](const Step& step) { return step.phase == Phase::greedy; }))) {
+  engine_.partition(first_seeds);
+  colours_ = colours_of_regions(run.mesh_graph.graph, engine_.current(), first_seeds.size());
+}
 
 std::vector<NodeId> FramesEngine::greedy_candidates(std::span<const NodeId> seeds, bool extended) {
   draw(seeds, Phase::greedy);
@@ -66,7 +75,6 @@ std::vector<Microstep> FramesEngine::macrostep(std::vector<NodeId>& seeds,
 
 void FramesEngine::draw(std::span<const NodeId> seeds, Phase phase) {
   const Graph& graph = run_.mesh_graph.graph;
-  if (colours_.empty()) colours_ = colours_of_regions(graph, current(), seeds.size());
   const std::span<const Score> scores = region_scores();
   const double energy = to_energy(graph, std::accumulate(scores.begin(), scores.end(), Score{0}));
   const std::uint32_t step = frames_ - (phase == Phase::precise ? greedy_frames_ : 0);

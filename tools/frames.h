@@ -12,15 +12,17 @@
 namespace geolloyd {
 
 /// Makes the folder that --frames names. Throws Error where it cannot be written or holds frames of
-/// another run: these are not ours to remove, and must not be taken for frames of this one.
+/// another run: these are not ours to remove, and must not be taken for frames of this one. (A run
+/// that is resumed goes on among its own.)
 void prepare_frames(const RelaxArguments& arguments);
 
 /// Has another engine do everything, and draws the regions at the start of each step into a file:
 /// 000-greedy.png, 001-greedy.png ..., 012-precise.png. A region has one colour in all of them.
 class FramesEngine final : public Engine {
  public:
-  /// All references must live on.
-  FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler);
+  /// Of a relaxation from `first_seeds`, after `steps`. The first three must live on.
+  FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler,
+               std::span<const NodeId> first_seeds, std::span<const Step> steps);
 
   void partition(std::span<const NodeId> seeds) override { engine_.partition(seeds); }
   [[nodiscard]] std::span<const Score> region_scores() const override {
@@ -43,8 +45,8 @@ class FramesEngine final : public Engine {
   Scheduler& scheduler_;
   Picture picture_;
   std::vector<Colour> colours_;
-  std::uint32_t frames_ = 0;
-  std::uint32_t greedy_frames_ = 0;
+  std::uint32_t frames_;
+  std::uint32_t greedy_frames_;
 };
 
 }  // namespace geolloyd

@@ -110,9 +110,11 @@ void write_ground_truth(const RunRecord& run) {
     write(run, out);
     out.commit();
   };
+  const std::filesystem::path json = run.arguments.output / json_name;
+  remove_file(json);  // it tells that the others are of the same run
   write_table(regions_name, write_regions);
   write_table(seeds_name, write_seeds);
-  write_text_file(run.arguments.output / json_name, json_text(result_of(run)));
+  write_text_file(json, json_text(result_of(run)));
 }
 
 }  // namespace geolloyd

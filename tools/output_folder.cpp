@@ -29,6 +29,12 @@ void prepare_folder(const std::filesystem::path& folder, std::span<const char* c
   for (const char* name : names) check_target(folder / name, others);
 }
 
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) throw IoError(path.string() + ": cannot remove: " + error.message());
+}
+
 void write_text_file(const std::filesystem::path& path, const std::string& text) {
   OutputFile file(path);
   file.write(text);

@@ -14,6 +14,9 @@ void check_target(const std::filesystem::path& target,
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,
                     std::span<const std::filesystem::path> others);
 
+/// Where there is one.
+void remove_file(const std::filesystem::path& path);
+
 /// Replaces a file as a whole.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 

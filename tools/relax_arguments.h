@@ -21,6 +21,8 @@ struct RelaxArguments {
   std::string view = "25,15";
   std::string size = "1280";
   bool ground_truth = false;
+  double checkpoint_seconds = 60;  ///< between two of them
+  bool resume = false;
   std::size_t seeds = 0;  ///< 0: not given
   std::filesystem::path seeds_file;
   std::string init = "farthest";

@@ -2,48 +2,24 @@
 #include <CLI/App.hpp>
 
 #include <memory>
-#include <optional>
 
+#include "core/errors.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
-#include "tools/frames.h"
 #include "tools/ground_truth_output.h"
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
-#include "tools/measured_run.h"
-#include "tools/names.h"
 #include "tools/picture.h"
 #include "tools/progress.h"
 #include "tools/relax_output.h"
 #include "tools/report_parts.h"
+#include "tools/resumable.h"
 #include "tools/run_record.h"
 #include "tools/stages.h"
 
 namespace geolloyd {
 namespace {
-
-// Returns the engine, with the partition of the seeds as they are then.
-std::unique_ptr<Engine> relax_seeds(RunRecord& run, Scheduler& scheduler, std::vector<NodeId> seeds,
-                                    ProgressLine& progress) {
-  const Stopwatch watch;
-  const Graph& graph = run.mesh_graph.graph;
-  const std::size_t count = seeds.size();
-  const EngineKind kind = value_of(engine_names, run.arguments.engine);
-  run.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
-  auto engine =
-      make_engine(kind, value_of(frontier_names, run.arguments.frontier), scheduler, graph);
-  std::optional<FramesEngine> frames;
-  if (!run.arguments.frames.empty()) frames.emplace(*engine, run, scheduler);
-  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *engine;
-  run.relaxation = relax(graph, chosen, std::move(seeds), relaxation_options(run.arguments),
-                         [&](const Progress& p) {
-                           progress.show(p, count);
-                           return !interrupted();
-                         });
-  run.seconds.relax = watch.seconds();
-  return engine;
-}
 
 void make_remesh(RunRecord& run, Scheduler& scheduler, Engine& engine) {
   const Stopwatch watch;
@@ -108,6 +84,10 @@ void print_summary(const RunRecord& run) {
   fmt::print(
       "  {:<12}{} from {}\n", "seeds", grouped(run.regions.size()),
       run.arguments.seeds_file.empty() ? run.arguments.init : run.arguments.seeds_file.string());
+  if (run.resumed) {
+    fmt::print("  {:<12}after {}, {:.2f} s\n", "resumed",
+               counted(run.resumed->steps, "step", "steps"), run.resumed->seconds);
+  }
   fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(result.end),
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
@@ -137,22 +117,32 @@ void print_summary(const RunRecord& run) {
   }
 }
 
-void run_relax(const RelaxArguments& arguments) {
+void check_relax(const RelaxArguments& arguments) {
   check_arguments(arguments);
+  const std::filesystem::path checkpoint = checkpoint_path(arguments);
+  if (arguments.resume && !std::filesystem::exists(checkpoint)) {
+    throw InvalidInput(checkpoint.string() +
+                       ": no such checkpoint to go on from: start without --resume");
+  }
+}
+
+void run_relax(const RelaxArguments& arguments) {
+  check_relax(arguments);
   const Stopwatch total;
   RunRecord run;
   run.arguments = arguments;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments);
-  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
+  ResumableRelaxation relaxation(run, prepare(run, scheduler, progress));
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
-  const auto engine = relax_seeds(run, scheduler, std::move(seeds), progress);
+  const auto engine = relaxation.relax(scheduler, progress);
   if (arguments.ground_truth) find_ground_truth(run, scheduler, progress);
   progress.stage("making the remesh");
   make_remesh(run, scheduler, *engine);
 
-  run.interrupted = interrupted();
+  run.interrupted = interrupted();  // from here on one changes nothing
+  const bool is_resumable = run.interrupted && relaxation.save(progress);
 
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
@@ -160,16 +150,18 @@ void run_relax(const RelaxArguments& arguments) {
                                   run.relaxation.seeds, run.relaxation.region_score);
   run.labels = label_input_ids(run);
   write_results(run, scheduler);
-  run.seconds.write = writing.seconds();
-  run.seconds.total = total.seconds();
-  run.peak_memory_bytes = peak_memory_bytes();
-  write_report(run);
   if (!arguments.picture.empty()) {
     progress.stage("drawing " + arguments.picture.string());
     write_picture(arguments.picture, run, scheduler);
   }
+  run.seconds.write = writing.seconds();
+  run.seconds.total = total.seconds();
+  run.peak_memory_bytes = peak_memory_bytes();
+  write_report(run);
+  if (!run.interrupted) relaxation.forget();
   progress.clear();
   print_summary(run);
+  if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
   if (run.interrupted) throw InterruptedExit{};
 }
 
@@ -194,6 +186,15 @@ void add_relax_command(CLI::App& program) {
       ->type_name("FOLDER");
   command->add_flag("--ground-truth", arguments->ground_truth,
                     "Judge the result by the regions of Euclidean distance");
+  command
+      ->add_option("--checkpoint", arguments->checkpoint_seconds,
+                   "At least so many seconds are between two checkpoints, of which the\n"
+                   "last one is in the folder until the work is done")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  command->add_flag("--resume", arguments->resume,
+                    "Go on from the checkpoint in the folder, with the options of before");
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_relaxation_options(*command, *arguments);
@@ -202,8 +203,8 @@ void add_relax_command(CLI::App& program) {
   add_thread_options(*command, *arguments);
   add_picture_options(*command, *arguments);
   command->footer(
-      "Ctrl-C ends the work and writes the best result so far.\n"
-      "To go on from there: --seeds-file DIR/seeds.csv");
+      "Ctrl-C ends the work and writes the best result so far. To go on from there, also\n"
+      "after a crash: the same command and --resume");
   command->callback([arguments] { run_relax(*arguments); });
 }
 

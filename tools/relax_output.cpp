@@ -16,8 +16,10 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::array<const char*, 5> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
-                                                     "remesh.ply", "report.json"};
+constexpr const char* report_name = "report.json";
+constexpr const char* checkpoint_name = "checkpoint.msgpack";
+constexpr std::array<const char*, 6> result_names = {
+    "tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply", report_name, checkpoint_name};
 
 void write_seeds(const RunRecord& run, FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");
@@ -53,6 +55,10 @@ void write_file(const RunRecord& run, const char* name, Write&& write) {
 
 }  // namespace
 
+std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
+  return arguments.output / checkpoint_name;
+}
+
 void prepare_output(const RelaxArguments& arguments) {
   std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
   prepare_folder(arguments.output, result_names, others);
@@ -69,6 +75,7 @@ void prepare_output(const RelaxArguments& arguments) {
 }
 
 void write_results(const RunRecord& run, Scheduler& scheduler) {
+  remove_file(run.arguments.output / report_name);
   const std::span<const Label> labels = run.labels;
   const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
   run_each(
@@ -83,7 +90,7 @@ void write_results(const RunRecord& run, Scheduler& scheduler) {
 }
 
 void write_report(const RunRecord& run) {
-  write_text_file(run.arguments.output / "report.json", report_text(run));
+  write_text_file(run.arguments.output / report_name, report_text(run));
 }
 
 }  // namespace geolloyd

@@ -7,6 +7,9 @@
 
 namespace geolloyd {
 
+/// From where an interrupted or killed run goes on.
+std::filesystem::path checkpoint_path(const RelaxArguments& arguments);
+
 /// Makes the folder and makes sure that the results and the picture can be written, before hours of
 /// work depend on it, and that none of them would replace the mesh or the field. Throws Error.
 void prepare_output(const RelaxArguments& arguments);
@@ -14,10 +17,10 @@ void prepare_output(const RelaxArguments& arguments);
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
-/// added seeds last.
+/// added seeds last. The report of an earlier run goes first.
 void write_results(const RunRecord& run, Scheduler& scheduler);
 
-/// report.json (report.h), the last file to appear.
+/// report.json (report.h), the last file to appear: where it is, all of a run's files are.
 void write_report(const RunRecord& run);
 
 }  // namespace geolloyd

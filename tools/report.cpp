@@ -19,6 +19,11 @@ Json engine_part(const RunRecord& run) {
           {"backend", parallel ? Json(a.backend) : Json(nullptr)}};
 }
 
+Json resumed_part(const RunRecord& run) {
+  if (!run.resumed) return nullptr;
+  return {{"from_step", run.resumed->steps}, {"seconds_before", run.resumed->seconds}};
+}
+
 Json trace_part(const Relaxation& relaxation) {
   Json trace = Json::array();
   for (const Step& step : relaxation.steps) {
@@ -76,6 +81,7 @@ Json make_report(const RunRecord& run) {
   report["graph"] = graph_part(run.mesh_graph.graph, run.components);
   report["end"] = name_of(end_names, relaxation.end);
   report["interrupted"] = run.interrupted;
+  report["resumed"] = resumed_part(run);
   report["steps"] = steps_part(count_steps(relaxation));
   report["energy_initial"] = initial_energy(relaxation);
   report["energy"] = relaxation.energy;

@@ -27,6 +27,12 @@ struct StageSeconds {
   double total = 0;
 };
 
+/// What was done before a run that resumed it.
+struct EarlierPart {
+  std::size_t steps = 0;
+  double seconds = 0;  ///< of the relaxation
+};
+
 /// All there is to tell of one run of `relax`.
 struct RunRecord {
   RelaxArguments arguments;
@@ -36,6 +42,7 @@ struct RunRecord {
   std::size_t components = 0;  ///< of the graph
   Relaxation relaxation;
   std::size_t threads = 0;  ///< of the relaxation
+  std::optional<EarlierPart> resumed;
   std::vector<RegionSummary> regions;
   std::vector<Label> labels;  ///< per input id
   Remesh remesh;
