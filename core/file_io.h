@@ -11,10 +11,10 @@ namespace geolloyd {
 /// The whole file. Throws IoError (missing, a directory, unreadable), naming it.
 std::string read_file(const std::filesystem::path& path);
 
-/// A file that appears whole, by commit(), or not at all. Until then it has no name, so that nothing
-/// is left of it however the program ends; on a file system that has no such files, a temporary name
-/// beside `path`, and is removed with the object. Throws IoError; also where `path` is a folder, a
-/// device or a pipe.
+/// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
+/// nothing is left of it however the program ends; on a file system that has no such files, a
+/// temporary name beside `path`, and is removed with the object. Throws IoError; also where `path`
+/// is a folder, a device or a pipe.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
