@@ -40,6 +40,10 @@ std::string read_file(const std::filesystem::path& path) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(path, "cannot read", errno);
   if (S_ISDIR(status.st_mode)) fail(path, "cannot read", EISDIR);
+  // Some never end.
+  if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) {
+    throw IoError(path.string() + ": cannot read: a device, not a file");
+  }
 
   // The size is only a first guess: a pipe has none, and a file may grow while it is read.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
@@ -65,12 +69,14 @@ OutputFile::OutputFile(std::filesystem::path path)
       !std::filesystem::is_regular_file(path_, ignored)) {
     throw IoError(path_.string() + ": cannot write: not a regular file");
   }
-  file_.reset(std::fopen(temporary_.c_str(), "wbe"));
+  // A new file always: where others may write, they may have put a link there.
+  std::filesystem::remove(temporary_, ignored);
+  file_.reset(std::fopen(temporary_.c_str(), "wbex"));
   if (!file_) fail(path_, "cannot write", errno);
 }
 
 OutputFile::~OutputFile() {
-  if (!file_) return;
+  if (is_committed_) return;
   file_.reset();
   std::error_code ignored;
   std::filesystem::remove(temporary_, ignored);
@@ -82,10 +88,15 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::finish() {
+  // Over a network it may be now that the disk turns out to be full.
+  if (file_ && std::fclose(file_.release()) != 0) fail(path_, "cannot write", errno);
+}
+
 void OutputFile::commit() {
-  if (std::fflush(file_.get()) != 0) fail(path_, "cannot write", errno);
+  finish();
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
-  file_.reset();
+  is_committed_ = true;
 }
 
 }  // namespace geolloyd

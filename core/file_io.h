@@ -8,12 +8,13 @@
 
 namespace geolloyd {
 
-/// The whole file. Throws IoError (missing, a directory, unreadable), naming it.
+/// The whole file, or all that comes through a pipe. Throws IoError (missing, a directory, a
+/// device, unreadable), naming it.
 std::string read_file(const std::filesystem::path& path);
 
-/// A file that appears whole or not at all: written under a temporary name beside `path`, renamed
-/// by commit(), removed if the object goes before that. Throws IoError; also where `path` is a
-/// folder, a device or a pipe.
+/// A file that appears whole or not at all: written under a temporary name beside `path`, complete
+/// after finish(), renamed by commit(), removed if the object goes before that. Throws IoError;
+/// also where `path` is a folder, a device or a pipe.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -22,6 +23,9 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view bytes);
+  /// Nothing is written after this.
+  void finish();
+  /// Finishes, if that has not been done.
   void commit();
 
  private:
@@ -31,7 +35,8 @@ class OutputFile {
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::FILE, Close> file_;  // none once it is finished
+  bool is_committed_ = false;
 };
 
 }  // namespace geolloyd

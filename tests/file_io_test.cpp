@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "core/errors.h"
 #include "tests/temporary_folder.h"
@@ -66,22 +69,68 @@ TEST(FileIo, SaysWhichFileCannotBeUsedAndWhy) {
             folder.path().string() + ": cannot write: Is a directory");
   EXPECT_EQ(message([] { const OutputFile file("/dev/null"); }),
             "/dev/null: cannot write: not a regular file");
+  EXPECT_EQ(message([] { read_file("/dev/zero"); }),
+            "/dev/zero: cannot read: a device, not a file");
 }
 
+// While this lives no file can be larger.
+class LargestFile {
+ public:
+  explicit LargestFile(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  LargestFile(const LargestFile&) = delete;
+  LargestFile& operator=(const LargestFile&) = delete;
+  ~LargestFile() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
 TEST(FileIo, NoticesAFullDisk) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  // The temporary name beside the target is a link to the device that is always full.
+  const TemporaryFolder folder;
+  for (const std::size_t size : {5'000, 5'000'000}) {  // told when it is finished, and before
+    const LargestFile limit(1000);
+    OutputFile file(folder.path() / "a");
+    EXPECT_THROW(
+        {
+          file.write(std::string(size, 'x'));
+          file.finish();
+        },
+        IoError);
+  }
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+TEST(FileIo, FollowsNoLinkThatBearsTheTemporaryName) {
+  const TemporaryFolder folder;
+  const fs::path other = folder.write("other", "kept");
+  const fs::path path = folder.path() / "a";
+  fs::create_symlink(other, path.string() + ".part" + std::to_string(::getpid()));
+  OutputFile file(path);
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_EQ(read_file(other), "kept");
+  EXPECT_FALSE(fs::is_symlink(path));
+}
+
+TEST(FileIo, AppearsOnlyWhenCommitted) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a";
-  fs::create_symlink("/dev/full", path.string() + ".part" + std::to_string(::getpid()));
-  OutputFile file(path);
-  EXPECT_THROW(
-      {
-        file.write(std::string(5'000'000, 'x'));
-        file.commit();
-      },
-      IoError);
-  EXPECT_FALSE(fs::exists(path));
+  {
+    OutputFile file(path);
+    file.write("lost");
+    file.finish();
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/file_writer.h"
 #include "parallel/primitives.h"
 #include "tools/frames.h"
 #include "tools/output_folder.h"
@@ -18,6 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 5> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                      "remesh.ply", "report.json"};
+enum ResultFile { tessellation, seeds, regions, remesh, report };
 
 void write_seeds(const RunRecord& run, FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");
@@ -44,13 +44,6 @@ void write_regions(const RunRecord& run, FileWriter& out) {
   }
 }
 
-template <class Write>
-void write_file(const RunRecord& run, const char* name, Write&& write) {
-  FileWriter out(run.arguments.output / name);
-  write(run, out);
-  out.commit();
-}
-
 }  // namespace
 
 void prepare_output(const RelaxArguments& arguments) {
@@ -61,29 +54,34 @@ void prepare_output(const RelaxArguments& arguments) {
   others.push_back(arguments.seeds_file);
   for (const char* name : result_names) others.push_back(arguments.output / name);
   check_target(arguments.picture, others);
-  if (!arguments.frames.empty() && arguments.picture.has_parent_path() &&
-      std::filesystem::equivalent(arguments.picture.parent_path(), arguments.frames)) {
+  if (!arguments.frames.empty() &&
+      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture).parent_path(),
+                                  arguments.frames)) {
     throw InvalidInput(arguments.picture.string() +
                        ": is in the folder of the frames: give another place");
   }
 }
 
-void write_results(const RunRecord& run, Scheduler& scheduler) {
+FileGroup open_results(const RelaxArguments& arguments) {
+  return {arguments.output, result_names};
+}
+
+void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler) {
   const std::span<const Label> labels = run.labels;
   const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
   run_each(
       scheduler,
       [&] {
-        write_labelled_ply(run.arguments.output / "tessellation.ply", run.input.mesh,
-                           labels.first(vertices), labels.subspan(vertices));
+        write_labelled_ply(files[tessellation], run.input.mesh, labels.first(vertices),
+                           labels.subspan(vertices));
       },
-      [&] { write_file(run, "regions.csv", write_regions); },
-      [&] { write_mesh(run.arguments.output / "remesh.ply", run.remesh.mesh); },
-      [&] { write_file(run, "seeds.csv", write_seeds); });
+      [&] { write_regions(run, files[regions]); },
+      [&] { write_mesh(files[remesh], run.remesh.mesh); }, [&] { write_seeds(run, files[seeds]); });
 }
 
-void write_report(const RunRecord& run) {
-  write_text_file(run.arguments.output / "report.json", report_text(run));
+void write_report(const RunRecord& run, FileGroup& files) {
+  files[report].text(report_text(run));
+  files.commit();
 }
 
 }  // namespace geolloyd
