@@ -145,7 +145,7 @@ TEST_F(Program, TruncatedFilesEndInAResultOrOneLine) {
   }
   for (const auto& [name, bytes] : files) {
     const bool is_binary = name.rfind("binary", 0) == 0;
-    for (const std::size_t percent : {1, 50, 99}) {
+    for (const std::size_t percent : {1U, 50U, 99U}) {
       mesh_ = folder_.write(name, bytes.substr(0, bytes.size() * percent / 100));
       const Outcome outcome = relax("--seeds 4");
       if (is_binary || outcome.status != 0) {

@@ -50,7 +50,7 @@ Mesh triangles_apart(VertexId n) {
   Mesh mesh;
   for (VertexId i = 0; i < n; ++i) {
     const double x = i % 64;
-    const double y = i / 64;  // NOLINT(bugprone-integer-division): the row
+    const double y = i / 64;  // of the row
     mesh.positions.insert(mesh.positions.end(), {{x, y, 0}, {x + 0.5, y, 0}, {x, y + 0.5, 0}});
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }

@@ -95,7 +95,7 @@ class LargestFile {
 
 TEST(FileIo, NoticesAFullDisk) {
   const TemporaryFolder folder;
-  for (const std::size_t size : {5'000, 5'000'000}) {  // told when it is finished, and before
+  for (const std::size_t size : {5'000U, 5'000'000U}) {  // told when it is finished, and before
     const LargestFile limit(1000);
     OutputFile file(folder.path() / "a");
     EXPECT_THROW(
