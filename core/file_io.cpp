@@ -55,6 +55,10 @@ std::string read_file(const std::filesystem::path& path) {
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(path, "cannot read", errno);
   if (S_ISDIR(status.st_mode)) fail(path, "cannot read", EISDIR);
+  // Some never end.
+  if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) {
+    throw IoError(path.string() + ": cannot read: a device, not a file");
+  }
 
   // The size is only a first guess: a pipe has none, and a file may grow while it is read.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
@@ -82,7 +86,9 @@ OutputFile::OutputFile(std::filesystem::path path)
   }
   file_.reset(open_unnamed(path_.parent_path()));
   if (file_) return;
-  file_.reset(std::fopen(temporary_.c_str(), "wbe"));
+  // A new file always: where others may write, they may have put a link there.
+  std::filesystem::remove(temporary_, ignored);
+  file_.reset(std::fopen(temporary_.c_str(), "wbex"));
   if (!file_) fail(path_, "cannot write", errno);
   has_name_ = true;
 }
@@ -100,8 +106,16 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::finish() {
+  if (!file_) return;
+  // Over a network it may be only when a file is closed that the disk turns out to be full; one
+  // without a name would be gone then.
+  const int result = has_name_ ? std::fclose(file_.release()) : std::fflush(file_.get());
+  if (result != 0) fail(path_, "cannot write", errno);
+}
+
 void OutputFile::commit() {
-  if (std::fflush(file_.get()) != 0) fail(path_, "cannot write", errno);
+  finish();
   if (!has_name_) take_name();
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
   has_name_ = false;

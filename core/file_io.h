@@ -8,13 +8,14 @@
 
 namespace geolloyd {
 
-/// The whole file. Throws IoError (missing, a directory, unreadable), naming it.
+/// The whole file, or all that comes through a pipe. Throws IoError (missing, a directory, a
+/// device, unreadable), naming it.
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
 /// nothing is left of it however the program ends; on a file system that has no such files, a
-/// temporary name beside `path`, and is removed with the object. Throws IoError; also where `path`
-/// is a folder, a device or a pipe.
+/// temporary name beside `path`, and is removed with the object. Complete after finish(). Throws
+/// IoError; also where `path` is a folder, a device or a pipe.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -23,6 +24,9 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view bytes);
+  /// Nothing is written after this.
+  void finish();
+  /// Finishes, if that has not been done.
   void commit();
 
  private:

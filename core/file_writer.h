@@ -50,8 +50,14 @@ class FileWriter {
     used_ += sizeof(Number);
   }
 
-  void commit() {
+  void finish() {
     flush();
+    file_.finish();
+  }
+
+  /// Finishes, if that has not been done.
+  void commit() {
+    finish();
     file_.commit();
   }
 
@@ -63,6 +69,7 @@ class FileWriter {
   }
 
   void flush() {
+    if (used_ == 0) return;
     file_.write({buffer_.data(), used_});
     used_ = 0;
   }

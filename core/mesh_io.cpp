@@ -53,6 +53,8 @@ LoadedMesh read_mesh(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);
   const std::string name = path.string();
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
+  if (bytes.starts_with("\x1f\x8b\x08"))
+    fail_at_byte(name, 0, "the file is compressed; gunzip it first");
   LoadedMesh loaded = read(format, bytes, name);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "core/file_writer.h"
 #include "core/mesh.h"
 
 namespace geolloyd {
@@ -28,8 +29,14 @@ LoadedMesh read_mesh(const std::filesystem::path& path);
 
 /// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. No
 /// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
-/// STL, which knows float32 only. The file appears whole or not at all.
+/// STL, which knows float32 only.
+void write_mesh(FileWriter& out, const Mesh& mesh);
+
+/// The same as a file that appears whole or not at all.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+/// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
+void check_mesh_name(const std::filesystem::path& path);
 
 /// What a part of a mesh belongs to, and a colour that shows it.
 struct Label {
@@ -39,7 +46,7 @@ struct Label {
 
 /// PLY as write_mesh does, with the properties red, green, blue and region for each vertex, or for
 /// each triangle, or for both; an empty span is left out.
-void write_labelled_ply(const std::filesystem::path& path, const Mesh& mesh,
-                        std::span<const Label> vertex_label, std::span<const Label> triangle_label);
+void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
+                        std::span<const Label> triangle_label);
 
 }  // namespace geolloyd

@@ -132,32 +132,32 @@ void write_stl(FileWriter& out, const Mesh& mesh) {
 
 }  // namespace
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
-  const MeshFormat format = format_of(path);
-  FileWriter out(path);
-  switch (format) {
+void check_mesh_name(const std::filesystem::path& path) {
+  (void)format_of(path);
+}
+
+void write_mesh(FileWriter& out, const Mesh& mesh) {
+  switch (format_of(out.path())) {
     case MeshFormat::ply:
-      write_ply(out, mesh, {}, {});
-      break;
+      return write_ply(out, mesh, {}, {});
     case MeshFormat::obj:
-      write_obj(out, mesh);
-      break;
+      return write_obj(out, mesh);
     case MeshFormat::off:
-      write_off(out, mesh);
-      break;
+      return write_off(out, mesh);
     case MeshFormat::stl:
-      write_stl(out, mesh);
-      break;
+      return write_stl(out, mesh);
   }
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+  FileWriter out(path);
+  write_mesh(out, mesh);
   out.commit();
 }
 
-void write_labelled_ply(const std::filesystem::path& path, const Mesh& mesh,
-                        std::span<const Label> vertex_label,
+void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
                         std::span<const Label> triangle_label) {
-  FileWriter out(path);
   write_ply(out, mesh, vertex_label, triangle_label);
-  out.commit();
 }
 
 }  // namespace geolloyd

@@ -71,6 +71,7 @@ class SeedReader {
   Form find_form() {
     TextCursor ahead = cursor_;
     if (ahead.word() == "input_id") {
+      columns_ = words_in_line();
       cursor_.next_line();
       cursor_.skip_empty_lines('#');
       return Form::table;
@@ -78,7 +79,23 @@ class SeedReader {
     return ahead.at_line_end() ? Form::ids : Form::positions;
   }
 
+  // On this line, from here on.
+  [[nodiscard]] std::size_t words_in_line() const {
+    TextCursor ahead = cursor_;
+    std::size_t count = 0;
+    while (!ahead.word().empty()) ++count;
+    return count;
+  }
+
+  void check_columns() const {
+    const std::size_t values = words_in_line();
+    if (values == columns_) return;
+    cursor_.fail(std::to_string(values) + " values where the table has " +
+                 std::to_string(columns_) + " columns: is the file complete?");
+  }
+
   NodeId node_of_id(bool table) {
+    if (table) check_columns();
     const std::int64_t id = cursor_.integer("an input id");
     const auto count = static_cast<std::int64_t>(mesh_graph_.node_of.size());
     if (id < 0 || id >= count) {
@@ -132,6 +149,7 @@ class SeedReader {
   std::unique_ptr<NodeLocator> locator_;
   std::unordered_map<NodeId, std::size_t> line_of_;
   std::vector<NodeId> seeds_;
+  std::size_t columns_ = 0;  // of a table
 };
 
 void check_components(const std::string& name, const MeshGraph& mesh_graph,

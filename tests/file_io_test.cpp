@@ -71,27 +71,8 @@ TEST(FileIo, SaysWhichFileCannotBeUsedAndWhy) {
             folder.path().string() + ": cannot write: Is a directory");
   EXPECT_EQ(message([] { const OutputFile file("/dev/null"); }),
             "/dev/null: cannot write: not a regular file");
-}
-
-TEST(FileIo, NoticesThatThereIsNoRoom) {
-  const TemporaryFolder folder;
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1'000'000, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  {
-    OutputFile file(folder.path() / "a");
-    EXPECT_THROW(
-        {
-          file.write(std::string(5'000'000, 'x'));
-          file.commit();
-        },
-        IoError);
-  }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(files_in(folder.path()), 0U);
+  EXPECT_EQ(message([] { read_file("/dev/zero"); }),
+            "/dev/zero: cannot read: a device, not a file");
 }
 
 // However a process ends. (On file systems without files that have no name one is left.)
@@ -126,6 +107,66 @@ TEST(FileIo, GivesFilesTheUsersPermissions) {
   ::umask(mask);
   file.commit();
   EXPECT_EQ(fs::status(folder.path() / "a").permissions(), static_cast<fs::perms>(0640));
+}
+
+// While this lives no file can be larger.
+class LargestFile {
+ public:
+  explicit LargestFile(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  LargestFile(const LargestFile&) = delete;
+  LargestFile& operator=(const LargestFile&) = delete;
+  ~LargestFile() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+TEST(FileIo, NoticesAFullDisk) {
+  const TemporaryFolder folder;
+  for (const std::size_t size : {5'000U, 5'000'000U}) {  // told when it is finished, and before
+    const LargestFile limit(1000);
+    OutputFile file(folder.path() / "a");
+    EXPECT_THROW(
+        {
+          file.write(std::string(size, 'x'));
+          file.finish();
+        },
+        IoError);
+  }
+  EXPECT_EQ(files_in(folder.path()), 0U);
+}
+
+TEST(FileIo, FollowsNoLinkThatBearsTheTemporaryName) {
+  const TemporaryFolder folder;
+  const fs::path other = folder.write("other", "kept");
+  const fs::path path = folder.path() / "a";
+  fs::create_symlink(other, path.string() + ".part" + std::to_string(::getpid()));
+  OutputFile file(path);
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_EQ(read_file(other), "kept");
+  EXPECT_FALSE(fs::is_symlink(path));
+}
+
+TEST(FileIo, AppearsOnlyWhenCommitted) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a";
+  {
+    OutputFile file(path);
+    file.write("lost");
+    file.finish();
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
 }  // namespace

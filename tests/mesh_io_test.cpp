@@ -558,7 +558,9 @@ TEST(MeshFile, WritesLabelsThatOtherReadersSkip) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const std::vector<Label> of_vertices = {{{1, 2, 3}, 0}, {{4, 5, 6}, 1}, {{7, 8, 9}, -1}};
   const std::vector<Label> of_triangles = {{{10, 11, 12}, 7}};
-  write_labelled_ply(folder.path() / "a.ply", mesh, of_vertices, of_triangles);
+  FileWriter out(folder.path() / "a.ply");
+  write_labelled_ply(out, mesh, of_vertices, of_triangles);
+  out.commit();
   const Mesh again = read_mesh(folder.path() / "a.ply").mesh;
   EXPECT_EQ(again.positions, mesh.positions);
   EXPECT_EQ(again.triangles, mesh.triangles);

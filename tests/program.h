@@ -44,6 +44,14 @@ inline Outcome geolloyd_with(const std::string& arguments) {
   return run_shell(std::string(GEOLLOYD_PROGRAM) + " " + arguments);
 }
 
+// One line that holds `message`, and exit status 2.
+inline void expect_complaint(const Outcome& outcome, const std::string& message) {
+  EXPECT_EQ(outcome.status, 2) << outcome.text;
+  EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 1) << outcome.text;
+  EXPECT_EQ(outcome.text.rfind("geolloyd: ", 0), 0U) << outcome.text;
+  EXPECT_NE(outcome.text.find(message), std::string::npos) << outcome.text;
+}
+
 inline std::vector<std::string> lines_of(const fs::path& path) {
   std::istringstream text(read_file(path));
   std::vector<std::string> lines;
@@ -64,14 +72,6 @@ class Program : public testing::Test {
 
   [[nodiscard]] fs::path out(const std::string& name = "out") const {
     return folder_.path() / name;
-  }
-
-  // One line that holds `message`, exit status 2, and no result.
-  static void expect_complaint(const Outcome& outcome, const std::string& message) {
-    EXPECT_EQ(outcome.status, 2) << outcome.text;
-    EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 1) << outcome.text;
-    EXPECT_EQ(outcome.text.rfind("geolloyd: ", 0), 0U) << outcome.text;
-    EXPECT_NE(outcome.text.find(message), std::string::npos) << outcome.text;
   }
 
   TemporaryFolder folder_;

@@ -244,82 +244,7 @@ TEST_F(Program, StretchesRegionsAlongAField) {
   EXPECT_LT(std::sqrt(across / along), 3.2);
 }
 
-TEST_F(Program, AnswersBadCommandLinesWithOneLine) {
-  expect_complaint(geolloyd_with(""), "A subcommand is required");
-  expect_complaint(geolloyd_with("frobnicate"), "see geolloyd --help");
-  expect_complaint(relax(""), "how many regions? Give --seeds N");
-  expect_complaint(relax("--seeds 0"), "--seeds");
-  expect_complaint(relax("--seeds -4"), "--seeds");
-  expect_complaint(relax("--seeds many"), "--seeds");
-  expect_complaint(relax("--seeds 4 --seeds-file x"), "exclude each other");
-  expect_complaint(relax("--seeds 4 --graph cube"), "cube");
-  expect_complaint(relax("--seeds 4 --frobnicate"), "--frobnicate");
-  expect_complaint(geolloyd_with("relax -o x"), "MESH");
-  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4"), "--output");
-  expect_complaint(geolloyd_with("generate cube -o x.ply"), "cube");
-  expect_complaint(geolloyd_with("generate torus -t 0 -o x.ply"), "0");
-  EXPECT_FALSE(fs::exists(out()));
-}
-
-TEST_F(Program, AnswersUnusableFilesWithOneLine) {
-  const auto relax_file = [&](const fs::path& file, const std::string& options = "") {
-    return geolloyd_with("relax '" + file.string() + "' --seeds 4 -o " + out().string() + " " +
-                         options);
-  };
-  expect_complaint(relax_file("missing.ply"), "missing.ply: cannot open: No such file");
-  expect_complaint(relax_file(folder_.path() / "torus"), "torus");
-  expect_complaint(relax_file(folder_.path()), "");
-  expect_complaint(relax_file(folder_.write("empty.ply", "")), "empty.ply");
-  expect_complaint(relax_file(folder_.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")),
-                   "bad.obj: line 4");
-  expect_complaint(relax_file(mesh_, "--vfield missing.vfield"), "missing.vfield");
-  expect_complaint(
-      relax_file(folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n")),
-      "nothing to tessellate");
-  expect_complaint(relax("--seeds 99999"), "more seeds (99999) than graph nodes");
-  expect_complaint(relax_file("two\nlines.ply"), "two?lines.ply");
-  EXPECT_FALSE(fs::exists(out()));
-}
-
-TEST_F(Program, AnswersUnwritableOutputWithOneLineBeforeTheWork) {
-  const std::string file = folder_.write("file", "x").string();
-  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file), file);
-  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o " + file + "/deeper"),
-                   "cannot make folder");
-  expect_complaint(geolloyd_with("relax " + mesh_.string() + " --seeds 4 -o /dev/null/deeper"),
-                   "cannot make folder");
-  expect_complaint(geolloyd_with("generate torus -o " + file + "/a.ply"), "cannot write");
-  expect_complaint(geolloyd_with("generate torus -o " + file + ".xyz"), ".xyz");
-}
-
-// Where a report is, all files are of its run: here there is room for some of them only.
-TEST_F(Program, TakesAwayTheOldReportBeforeItReplacesTheOldFiles) {
-  ASSERT_EQ(relax("--seeds 4").status, 0);
-  const Outcome outcome = run_shell("trap '' XFSZ; ulimit -f 8; " GEOLLOYD_PROGRAM " relax " +
-                                    mesh_.string() + " --seeds 5 -o " + out().string());
-  expect_complaint(outcome, "File too large");
-  EXPECT_FALSE(fs::exists(out() / "report.json"));
-}
-
-TEST_F(Program, RefusesToOverwriteItsInput) {
-  ASSERT_EQ(relax("--seeds 4").status, 0);
-  mesh_ = out() / "tessellation.ply";
-  const std::string before = read_file(mesh_);
-  expect_complaint(relax("--seeds 4"), "would be overwritten");
-  EXPECT_EQ(read_file(mesh_), before);
-}
-
-TEST_F(Program, ChecksThePictureBeforeTheWork) {
-  const std::string before = read_file(mesh_);
-  expect_complaint(relax("--seeds 4 --picture " + mesh_.string()), "would be overwritten");
-  EXPECT_EQ(read_file(mesh_), before);
-  expect_complaint(relax("--seeds 4 --picture " + (out() / "report.json").string()),
-                   "would be overwritten");
-  const fs::path seeds = folder_.write("seeds.txt", "0\n1\n");
-  expect_complaint(relax("--seeds-file " + seeds.string() + " --picture " + seeds.string()),
-                   "would be overwritten");
-  expect_complaint(relax("--seeds 4 --picture /nowhere/p.png"), "/nowhere/p.png: cannot write");
-  EXPECT_FALSE(fs::exists(out() / "report.json"));
+TEST_F(Program, DrawsItsResult) {
   EXPECT_EQ(relax("--seeds 4 --picture " + (folder_.path() / "p.png").string()).status, 0);
   EXPECT_EQ(read_file(folder_.path() / "p.png").substr(1, 3), "PNG");
 }
@@ -345,19 +270,13 @@ TEST_F(Program, TessellatesWhatIsHardlyASurface) {
   }
 }
 
-TEST_F(Program, HandlesNamesWithBlanksAndOtherAlphabets) {
+TEST_F(Program, ReportNamesItsInput) {
   const fs::path odd = folder_.path() / "ein schöner Name.ply";
   fs::rename(mesh_, odd);
-  const Outcome outcome = geolloyd_with("relax '" + odd.string() + "' --seeds 4 -o '" +
-                                        (folder_.path() / "là bas").string() + "'");
+  const Outcome outcome =
+      geolloyd_with("relax '" + odd.string() + "' --seeds 4 -o " + out().string());
   EXPECT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_EQ(report_in(folder_.path() / "là bas")["input"]["file"], odd.string());
-  mesh_ = folder_.path() / "not \xff UTF-8.ply";
-  fs::rename(odd, mesh_);
-  const Outcome other =
-      geolloyd_with("relax '" + mesh_.string() + "' --seeds 4 -o " + out().string());
-  EXPECT_EQ(other.status, 0) << other.text;
-  EXPECT_EQ(report_in(out())["interrupted"], false);
+  EXPECT_EQ(report_in(out())["input"]["file"], odd.string());
 }
 
 class Interrupt : public Program, public testing::WithParamInterface<const char*> {

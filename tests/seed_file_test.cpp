@@ -69,8 +69,22 @@ TEST_F(SeedFile, MayBeAWrittenTable) {
   EXPECT_EQ(read(header + "3,vertex,0,1,0,4,1,2\n6,vertex,6,0,0,3,1,1\n"), (Ids{3, 6}));
   EXPECT_EQ(read(header + "9,triangle,0,1,0,4,1,2\n6,vertex,6,0,0,3,1,1\n", GraphKind::mixed),
             (Ids{9, 6}));
+  EXPECT_EQ(read("input_id,kind\n3,vertex\n6,vertex\n"), (Ids{3, 6}));
   expect_refused(header + "0,vertex,0,1,0,4,1,2\n", "line 2: seed of kind 'vertex'",
                  GraphKind::triangle);
+  expect_refused(header + "3,vertex,0,1,0,4,1,2\n6,vertex,6,0,0,3,1\n",
+                 "line 3: 7 values where the table has 8 columns: is the file complete?");
+}
+
+// A table that was cut off is refused, or it ends with one of its lines.
+TEST_F(SeedFile, NoPartOfALineIsTakenForTheWhole) {
+  const std::string lines =
+      "input_id,kind,x,y,z,nodes,area,energy\n6,vertex,6,0,0,3,1,1\n3,vertex,0,1,0,4,1,2\n";
+  const std::string last = "2,vertex,1,1,0,4,1,2\n";
+  EXPECT_EQ(read(lines + last), (Ids{6, 3, 2}));
+  for (std::size_t size = 1; size + 2 < last.size(); ++size) {
+    expect_refused(lines + last.substr(0, size), "line 4: ");
+  }
 }
 
 TEST_F(SeedFile, IsRefusedWithTheLineWhereItIsWrong) {

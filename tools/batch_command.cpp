@@ -18,6 +18,7 @@
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
 #include "tools/measured_run.h"
+#include "tools/number_option.h"
 #include "tools/stages.h"
 #include "tools/text_table.h"
 
@@ -46,6 +47,21 @@ struct Start {
   Triangles places;
 };
 
+// That a batch can have so many first seeds.
+void check_count(std::size_t seeds, std::size_t triangles, std::size_t components) {
+  if (seeds < components) {
+    throw InvalidInput(fmt::format(
+        "{}: first seeds are chosen as triangles, and these are in {} parts that no edge "
+        "joins: each needs a seed",
+        counted(seeds, "seed", "seeds"), grouped(components)));
+  }
+  if (seeds > triangles) {
+    throw InvalidInput(fmt::format("{}: this mesh has only {} to choose first seeds from",
+                                   counted(seeds, "seed", "seeds"),
+                                   counted(triangles, "triangle", "triangles")));
+  }
+}
+
 // Chosen on the triangle graph, each batch by a random seed of its own.
 std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std::size_t>& ladder,
                                  const Mesh& mesh, const MeshEdges& edges, Scheduler& scheduler) {
@@ -55,6 +71,7 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
   const Components components = connected_components(made.graph);
   std::vector<Start> starts;
   for (const std::size_t k : ladder) {
+    check_count(k, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= a.batches; ++batch) {
       Start start{k, batch, {}};
       for (const NodeId s : choose_seeds(
@@ -266,9 +283,9 @@ void add_batch_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("NUMBERS")
       ->required();
-  command->add_option("--batches", a->batches, "How many times to choose other first seeds")
-      ->check(CLI::Validator(CLI::Range(1, 100000)).description(""))
-      ->type_name("NUMBER")
+  whole_number(
+      command->add_option("--batches", a->batches, "How many times to choose other first seeds"), 1,
+      100'000)
       ->capture_default_str();
   add_output_options(*command, a->output, "batch");
   add_list(*command, "--graphs", a->graphs, "Kinds of graph", graph_kind_names);

@@ -10,6 +10,7 @@
 #include "tools/experiment.h"
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
+#include "tools/number_option.h"
 #include "tools/stages.h"
 #include "tools/text_table.h"
 
@@ -131,8 +132,9 @@ void add_compare_command(CLI::App& program) {
   add_graph_options(*command, a->relax);
   add_relaxation_options(*command, a->relax);
   const char* group = "What to compare (lists, separated by commas; all combinations)";
-  command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has")
-      ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
+  whole_number(
+      command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has"),
+      1, 1024)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NUMBERS")
@@ -147,9 +149,9 @@ void add_compare_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->capture_default_str()
       ->group(group);
-  command->add_option("--turns", a->turns, "How often each is timed; the reference once")
-      ->check(CLI::Validator(CLI::Range(1, 1'000'000)).description(""))
-      ->type_name("NUMBER")
+  whole_number(
+      command->add_option("--turns", a->turns, "How often each is timed; the reference once"), 1,
+      1'000'000)
       ->capture_default_str()
       ->group(group);
   command->add_flag("--no-reference", a->no_reference, "Leave out the slow sequential one")

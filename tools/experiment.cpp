@@ -9,6 +9,7 @@
 #include "tools/build_facts.h"
 #include "tools/csv.h"
 #include "tools/facts_text.h"
+#include "tools/file_group.h"
 #include "tools/interrupt.h"
 #include "tools/machine.h"
 #include "tools/output_folder.h"
@@ -47,8 +48,12 @@ Json begin_result(const std::string& command, const RunRecord& run) {
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
                  const Json& result) {
   if (output.folder.empty()) return;
-  write_text_file(output.folder / (name + ".csv"), csv_text(rows));
-  write_text_file(output.folder / (name + ".json"), json_text(result));
+  const std::array texts = {csv_text(rows), json_text(result)};
+  const std::string csv = name + ".csv";
+  const std::string json = name + ".json";
+  FileGroup files(output.folder, std::array{csv.c_str(), json.c_str()});
+  for (std::size_t i = 0; i < texts.size(); ++i) files[i].text(texts[i]);
+  files.commit();
 }
 
 void finish_experiment(const ExperimentOutput& output, const std::string& name) {

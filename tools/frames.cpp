@@ -7,6 +7,7 @@
 #include <cctype>
 #include <numeric>
 #include <string>
+#include <system_error>
 
 #include "core/energy.h"
 #include "core/errors.h"
@@ -39,7 +40,10 @@ void prepare_frames(const RelaxArguments& arguments) {
   const std::vector<std::filesystem::path> others;
   prepare_folder(arguments.frames, names, others);
   if (arguments.resume) return;
-  for (const auto& entry : std::filesystem::directory_iterator(arguments.frames)) {
+  std::error_code error;
+  const std::filesystem::directory_iterator entries(arguments.frames, error);
+  if (error) throw IoError(arguments.frames.string() + ": cannot read: " + error.message());
+  for (const auto& entry : entries) {
     if (!is_frame_name(entry.path().filename().string())) continue;
     throw InvalidInput(entry.path().string() +
                        ": is a frame of another run: remove them all, or give another folder");

@@ -10,6 +10,8 @@
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/names.h"
+#include "tools/number_option.h"
+#include "tools/output_folder.h"
 
 namespace geolloyd {
 namespace {
@@ -40,15 +42,14 @@ void add_generate_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
       ->type_name("FILE")
       ->required();
-  command
-      ->add_option("-t,--triangles", arguments->triangles,
-                   "At least so many; the shape's next possible number is made")
-      ->type_name("NUMBER")
+  whole_number(command->add_option("-t,--triangles", arguments->triangles,
+                                   "At least so many; the shape's next possible number is made"),
+               1)
       ->capture_default_str();
-  command->add_option("--random-seed", arguments->random_seed, "Varies the shape")
-      ->type_name("NUMBER")
+  whole_number(command->add_option("--random-seed", arguments->random_seed, "Varies the shape"), 0)
       ->capture_default_str();
   command->callback([arguments] {
+    check_mesh_target(arguments->output, {});
     const Shape shape = value_of(shape_names, arguments->shape);
     const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
     write_mesh(arguments->output, mesh);

@@ -8,15 +8,15 @@
 #include "core/file_writer.h"
 #include "tools/experiment.h"
 #include "tools/facts_text.h"
+#include "tools/file_group.h"
 #include "tools/output_folder.h"
 #include "tools/rows.h"
 
 namespace geolloyd {
 namespace {
 
-constexpr const char* regions_name = "ground-truth-regions.csv";
-constexpr const char* seeds_name = "ground-truth-seeds.csv";
-constexpr const char* json_name = "ground-truth.json";
+constexpr std::array<const char*, 3> result_names = {"ground-truth-regions.csv",
+                                                     "ground-truth-seeds.csv", "ground-truth.json"};
 
 Json spread_part(const Spread& spread) {
   return {{"mean", spread.mean()}, {"max", spread.max()}};
@@ -98,23 +98,17 @@ Json ground_truth_part(const GroundTruth& truth) {
 
 void prepare_ground_truth_output(const RelaxArguments& arguments) {
   if (arguments.output.empty()) return;
-  constexpr std::array names = {regions_name, seeds_name, json_name};
   const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
-  prepare_folder(arguments.output, names, others);
+  prepare_folder(arguments.output, result_names, others);
 }
 
 void write_ground_truth(const RunRecord& run) {
   if (run.arguments.output.empty()) return;
-  const auto write_table = [&](const char* name, auto&& write) {
-    FileWriter out(run.arguments.output / name);
-    write(run, out);
-    out.commit();
-  };
-  const std::filesystem::path json = run.arguments.output / json_name;
-  remove_file(json);  // it tells that the others are of the same run
-  write_table(regions_name, write_regions);
-  write_table(seeds_name, write_seeds);
-  write_text_file(json, json_text(result_of(run)));
+  FileGroup files(run.arguments.output, result_names);
+  write_regions(run, files[0]);
+  write_seeds(run, files[1]);
+  files[2].text(json_text(result_of(run)));
+  files.commit();
 }
 
 }  // namespace geolloyd

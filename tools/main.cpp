@@ -1,13 +1,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "core/errors.h"
 #include "tools/build_facts.h"
 #include "tools/commands.h"
+#include "tools/standard_streams.h"
 
 namespace {
 
@@ -23,7 +26,18 @@ int complain(int status, std::string message) {
   return status;
 }
 
-int run(int argc, char** argv) {
+// An empty value is what a script's unset variable leaves, and nobody's wish.
+void refuse_empty_values(CLI::App& program) {
+  const CLI::Validator check(
+      [](const std::string& text) { return std::string(text.empty() ? "empty" : ""); }, "");
+  for (CLI::App* command : program.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(check);
+    }
+  }
+}
+
+void run(int argc, char** argv) {
   CLI::App program(
       "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
       "Try: geolloyd generate creature -o creature.ply\n"
@@ -44,27 +58,36 @@ int run(int argc, char** argv) {
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);
   geolloyd::add_quality_command(program);
+  refuse_empty_values(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-    if (asked_for) return program.exit(error);
-    return complain(status_bad_input, std::string(error.what()) + ": see geolloyd --help");
+    if (!asked_for)
+      throw geolloyd::InvalidInput(error.what() + std::string(": see geolloyd --help"));
+    program.exit(error);
   }
-  return 0;
+  geolloyd::check_printed();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  geolloyd::hold_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is one more thing that cannot be written
   try {
-    return run(argc, argv);
+    run(argc, argv);
+    return 0;
   } catch (const geolloyd::Error& error) {
     return complain(status_bad_input, error.what());
   } catch (const geolloyd::InterruptedExit&) {
     return status_interrupted;
   } catch (const std::bad_alloc&) {
     return complain(status_error, "out of memory: use a smaller mesh or a graph with fewer arcs");
+  } catch (const std::system_error& error) {
+    const bool lost = std::ferror(stdout) != 0;  // {fmt} says so with an error of its own
+    return lost ? complain(status_bad_input, "standard output: " + std::string(error.what()))
+                : complain(status_error, error.what());
   } catch (const std::exception& error) {
     return complain(status_error, error.what());
   }

@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "core/file_io.h"
+#include "core/mesh_io.h"
 
 namespace geolloyd {
 
@@ -19,6 +20,11 @@ void check_target(const std::filesystem::path& target,
       throw InvalidInput(other.string() + ": would be overwritten: write somewhere else");
     }
   }
+}
+
+void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other) {
+  check_mesh_name(target);
+  check_target(target, std::span(&other, 1));
 }
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/errors.h"
 #include "core/mesh_edges_on.h"
@@ -41,13 +42,14 @@ double scale_of(const Layout& layout, double aspect) {
 }  // namespace
 
 Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) {
-  const auto most_columns = static_cast<int>(panels);
-  Layout best = arrange_in(most_columns, panels, has_captions, size, aspect);
-  for (int columns = most_columns - 1; columns > 0 && size.height > 0; --columns) {
+  std::optional<Layout> best;
+  const int least_columns = size.height > 0 ? 1 : static_cast<int>(panels);
+  for (int columns = static_cast<int>(panels); columns >= least_columns; --columns) {
     const Layout layout = arrange_in(columns, panels, has_captions, size, aspect);
-    if (scale_of(layout, aspect) > scale_of(best, aspect)) best = layout;
+    if (layout.panel.width < least_length || layout.panel.height < least_length) continue;
+    if (!best || scale_of(layout, aspect) > scale_of(*best, aspect)) best = layout;
   }
-  if (best.panel.width >= least_length && best.panel.height >= least_length) return best;
+  if (best) return *best;
   throw InvalidInput("--size: too small for " + std::to_string(panels) + " panels");
 }
 

@@ -20,7 +20,7 @@ struct Layout {
 };
 
 /// As many rows as show panels of this `aspect` largest; one row where `size` leaves the height
-/// open. Throws InvalidInput where panels would be too small.
+/// open. Throws InvalidInput where panels would be too small, whatever the aspect.
 Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect);
 
 /// A painted panel; no caption: "".

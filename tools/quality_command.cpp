@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tools/commands.h"
+#include "tools/number_option.h"
 #include "tools/output_folder.h"
 #include "tools/quality.h"
 #include "tools/quality_output.h"
@@ -41,9 +42,9 @@ void add_quality_command(CLI::App& program) {
       ->type_name("")
       ->required();
   command->add_option("--original", a->original, "The mesh that it stands for")->type_name("MESH");
-  command->add_option("--samples", a->samples, "Points on each mesh to measure distances from")
-      ->check(CLI::Validator(CLI::Range(1, 1'000'000'000)).description(""))
-      ->type_name("NUMBER")
+  whole_number(
+      command->add_option("--samples", a->samples, "Points on each mesh to measure distances from"),
+      1, 1'000'000'000)
       ->capture_default_str();
   command->add_option("-o,--output", a->relax.output, "JSON file to write the figures into")
       ->type_name("FILE");

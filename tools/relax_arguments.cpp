@@ -2,6 +2,7 @@
 
 #include "core/errors.h"
 #include "tools/choice_option.h"
+#include "tools/number_option.h"
 #include "tools/render/view.h"
 
 namespace geolloyd {
@@ -12,6 +13,7 @@ void add_mesh_argument(CLI::App& command, RelaxArguments& a) {
 
 namespace {
 
+constexpr std::uint64_t most_32_bits = std::numeric_limits<std::uint32_t>::max();
 constexpr const char* seed_group = "Seeds";
 constexpr const char* graph_group = "Graph";
 constexpr const char* relaxation_group = "Relaxation";
@@ -20,9 +22,8 @@ constexpr const char* thread_group = "Threads (they never change a result)";
 }  // namespace
 
 void add_seed_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions")
-      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
-      ->type_name("NUMBER")
+  whole_number(command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions"), 1,
+               most_32_bits)
       ->group(seed_group);
   command
       .add_option("--seeds-file", a.seeds_file,
@@ -37,8 +38,8 @@ void add_init_options(CLI::App& command, RelaxArguments& a) {
   one_of(command.add_option("--init", a.init, "How to choose the first seeds"), seed_init_names)
       ->capture_default_str()
       ->group(seed_group);
-  command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds")
-      ->type_name("NUMBER")
+  whole_number(
+      command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds"), 0)
       ->capture_default_str()
       ->group(seed_group);
 }
@@ -85,11 +86,13 @@ void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
 }
 
 void add_limit_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("--max-greedy-steps", a.max_greedy_steps, "End the greedy phase after these")
-      ->type_name("NUMBER")
+  whole_number(command.add_option("--max-greedy-steps", a.max_greedy_steps,
+                                  "End the greedy phase after these"),
+               0, most_32_bits)
       ->group(relaxation_group);
-  command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these")
-      ->type_name("NUMBER")
+  whole_number(
+      command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these"),
+      0, most_32_bits)
       ->group(relaxation_group);
 }
 
@@ -111,9 +114,9 @@ void add_thread_options(CLI::App& command, RelaxArguments& a) {
 }
 
 void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
-  command.add_option("--threads", a.threads, "How many (default: all the machine has)")
-      ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
-      ->type_name("NUMBER")
+  whole_number(
+      command.add_option("--threads", a.threads, "How many (default: all the machine has)"), 1,
+      1024)
       ->group(thread_group);
   one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
          backend_names)

@@ -149,7 +149,8 @@ void run_relax(const RelaxArguments& arguments) {
   run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
                                   run.relaxation.seeds, run.relaxation.region_score);
   run.labels = label_input_ids(run);
-  write_results(run, scheduler);
+  FileGroup files = open_results(arguments);
+  write_results(run, files, scheduler);
   if (!arguments.picture.empty()) {
     progress.stage("drawing " + arguments.picture.string());
     write_picture(arguments.picture, run, scheduler);
@@ -157,7 +158,7 @@ void run_relax(const RelaxArguments& arguments) {
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();
   run.peak_memory_bytes = peak_memory_bytes();
-  write_report(run);
+  write_report(run, files);
   if (!run.interrupted) relaxation.forget();
   progress.clear();
   print_summary(run);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/file_writer.h"
 #include "parallel/primitives.h"
 #include "tools/frames.h"
 #include "tools/output_folder.h"
@@ -16,10 +15,10 @@
 namespace geolloyd {
 namespace {
 
-constexpr const char* report_name = "report.json";
 constexpr const char* checkpoint_name = "checkpoint.msgpack";
-constexpr std::array<const char*, 6> result_names = {
-    "tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply", report_name, checkpoint_name};
+constexpr std::array<const char*, 5> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
+                                                     "remesh.ply", "report.json"};
+enum ResultFile { tessellation, seeds, regions, remesh, report };
 
 void write_seeds(const RunRecord& run, FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");
@@ -46,13 +45,6 @@ void write_regions(const RunRecord& run, FileWriter& out) {
   }
 }
 
-template <class Write>
-void write_file(const RunRecord& run, const char* name, Write&& write) {
-  FileWriter out(run.arguments.output / name);
-  write(run, out);
-  out.commit();
-}
-
 }  // namespace
 
 std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
@@ -62,35 +54,41 @@ std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
 void prepare_output(const RelaxArguments& arguments) {
   std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
   prepare_folder(arguments.output, result_names, others);
+  check_target(checkpoint_path(arguments), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
   others.push_back(arguments.seeds_file);
   for (const char* name : result_names) others.push_back(arguments.output / name);
+  others.push_back(checkpoint_path(arguments));
   check_target(arguments.picture, others);
-  if (!arguments.frames.empty() && arguments.picture.has_parent_path() &&
-      std::filesystem::equivalent(arguments.picture.parent_path(), arguments.frames)) {
+  if (!arguments.frames.empty() &&
+      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture).parent_path(),
+                                  arguments.frames)) {
     throw InvalidInput(arguments.picture.string() +
                        ": is in the folder of the frames: give another place");
   }
 }
 
-void write_results(const RunRecord& run, Scheduler& scheduler) {
-  remove_file(run.arguments.output / report_name);
+FileGroup open_results(const RelaxArguments& arguments) {
+  return {arguments.output, result_names};
+}
+
+void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler) {
   const std::span<const Label> labels = run.labels;
   const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
   run_each(
       scheduler,
       [&] {
-        write_labelled_ply(run.arguments.output / "tessellation.ply", run.input.mesh,
-                           labels.first(vertices), labels.subspan(vertices));
+        write_labelled_ply(files[tessellation], run.input.mesh, labels.first(vertices),
+                           labels.subspan(vertices));
       },
-      [&] { write_file(run, "regions.csv", write_regions); },
-      [&] { write_mesh(run.arguments.output / "remesh.ply", run.remesh.mesh); },
-      [&] { write_file(run, "seeds.csv", write_seeds); });
+      [&] { write_regions(run, files[regions]); },
+      [&] { write_mesh(files[remesh], run.remesh.mesh); }, [&] { write_seeds(run, files[seeds]); });
 }
 
-void write_report(const RunRecord& run) {
-  write_text_file(run.arguments.output / report_name, report_text(run));
+void write_report(const RunRecord& run, FileGroup& files) {
+  files[report].text(report_text(run));
+  files.commit();
 }
 
 }  // namespace geolloyd

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parallel/scheduler.h"
+#include "tools/file_group.h"
 #include "tools/run_record.h"
 
 namespace geolloyd {
@@ -14,13 +15,16 @@ std::filesystem::path checkpoint_path(const RelaxArguments& arguments);
 /// work depend on it, and that none of them would replace the mesh or the field. Throws Error.
 void prepare_output(const RelaxArguments& arguments);
 
+/// The files of the results. Those of another run stay until write_report.
+FileGroup open_results(const RelaxArguments& arguments);
+
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
-/// added seeds last. The report of an earlier run goes first.
-void write_results(const RunRecord& run, Scheduler& scheduler);
+/// added seeds last.
+void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler);
 
-/// report.json (report.h), the last file to appear: where it is, all of a run's files are.
-void write_report(const RunRecord& run);
+/// report.json (report.h), with which all of them appear.
+void write_report(const RunRecord& run, FileGroup& files);
 
 }  // namespace geolloyd

@@ -12,6 +12,7 @@
 #include "tools/remesh.h"
 #include "tools/render/painters.h"
 #include "tools/render/panel.h"
+#include "tools/render/sheet.h"
 #include "tools/stages.h"
 
 namespace geolloyd {
@@ -22,6 +23,11 @@ struct RenderArguments {
   std::filesystem::path output;
   std::vector<std::string> panels;
 };
+
+bool have_captions(const std::vector<Panel>& panels) {
+  return std::any_of(panels.begin(), panels.end(),
+                     [&](const Panel& panel) { return !caption_of(panel, panels.size()).empty(); });
+}
 
 class Renderer {
  public:
@@ -38,15 +44,11 @@ class Renderer {
       load_mesh(run_, scheduler_);
     }
     progress_.stage("drawing " + output_.string());
-    std::vector<std::string> captions;
-    for (const Panel& panel : panels_) captions.push_back(caption_of(panel, panels_.size()));
-    const bool has_captions = std::any_of(captions.begin(), captions.end(),
-                                          [](const std::string& c) { return !c.empty(); });
-    const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), has_captions,
+    const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), have_captions(panels_),
                           scheduler_);
     std::vector<PanelImage> images;
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      images.push_back({draw(panels_[i].kind, picture.scene()), captions[i]});
+    for (const Panel& panel : panels_) {
+      images.push_back({draw(panel.kind, picture.scene()), caption_of(panel, panels_.size())});
     }
     picture.write(output_, images);
   }
@@ -125,9 +127,12 @@ std::vector<Panel> check(const RenderArguments& a) {
       throw InvalidInput("--panel field: which field? Give --vfield FILE");
     }
     if (needs_partition(panel.kind)) check_arguments(a.relax);
+    if (panel.caption && !Sheet::can_show(*panel.caption)) {
+      throw InvalidInput("--panel: the caption '" + *panel.caption + "' is not in UTF-8");
+    }
   }
   parse_view(a.relax.view);
-  parse_size(a.relax.size);
+  arrange(panels.size(), have_captions(panels), parse_size(a.relax.size), 1);
   const std::vector<std::filesystem::path> others = {a.relax.mesh, a.relax.vfield,
                                                      a.relax.seeds_file};
   check_target(a.output, others);

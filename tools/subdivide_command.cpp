@@ -11,6 +11,7 @@
 #include "tools/commands.h"
 #include "tools/facts_text.h"
 #include "tools/names.h"
+#include "tools/output_folder.h"
 
 namespace geolloyd {
 namespace {
@@ -46,6 +47,7 @@ void add_subdivide_command(CLI::App& program) {
       ->type_name("FILE")
       ->required();
   command->callback([arguments] {
+    check_mesh_target(arguments->output, arguments->mesh);
     Mesh mesh = read_mesh(arguments->mesh).mesh;
     for (const std::string& name : arguments->schemes) mesh = value_of(scheme_names, name)(mesh);
     write_mesh(arguments->output, mesh);

@@ -43,6 +43,13 @@ Sheet::Sheet(Size size, Ground ground)
   cairo_paint(context_.get());
 }
 
+bool Sheet::can_show(const std::string& caption) {
+  const Sheet smallest({1, 1}, Ground::transparent);
+  cairo_text_extents_t extents;
+  cairo_text_extents(smallest.context_.get(), caption.c_str(), &extents);
+  return cairo_status(smallest.context_.get()) != CAIRO_STATUS_INVALID_STRING;
+}
+
 void Sheet::place(const Pixels& picture, int x, int y) {
   // Cairo only reads it, but has no way to say so.
   auto* const bytes = reinterpret_cast<unsigned char*>(

@@ -17,6 +17,9 @@ class Sheet {
 
   Sheet(Size size, Ground ground);
 
+  /// Whether it is UTF-8.
+  static bool can_show(const std::string& caption);
+
   void place(const Pixels& picture, int x, int y);
   /// Text of this height in the middle of `width` pixels, made smaller where it would not fit.
   void caption(const std::string& text, double height, int x, int y, int width);
