@@ -73,6 +73,13 @@ TEST_F(SeedFile, MayBeAWrittenTable) {
                  GraphKind::triangle);
 }
 
+TEST_F(SeedFile, IsRefusedInAMessageThatPrints) {
+  const std::string header = "input_id,kind\n";
+  expect_refused(header + "3,a\x01\xff\n", "line 2: seed of kind 'a??' where");
+  expect_refused(header + "3," + std::string(100, 'x') + "\n",
+                 "line 2: seed of kind '" + std::string(40, 'x') + "...' where");
+}
+
 TEST_F(SeedFile, IsRefusedWithTheLineWhereItIsWrong) {
   expect_refused("", "line 1: no seeds");
   expect_refused("# nothing\n", "line 2: no seeds");
