@@ -75,7 +75,7 @@ TEST_F(SeedFile, MayBeAWrittenTable) {
 
 TEST_F(SeedFile, IsRefusedInAMessageThatPrints) {
   const std::string header = "input_id,kind\n";
-  expect_refused(header + "3,a\x01\xff\n", "line 2: seed of kind 'a??' where");
+  expect_refused(header + "3,\x01z\xff\n", "line 2: seed of kind '?z?' where");
   expect_refused(header + "3," + std::string(100, 'x') + "\n",
                  "line 2: seed of kind '" + std::string(40, 'x') + "...' where");
 }

@@ -14,7 +14,7 @@ constexpr std::size_t most_triangles = 40;
 constexpr std::size_t team_sizes[] = {1, 1, 2, 3};
 constexpr double scales[] = {1, 1, 1, 1.0 / 3, 1e-12, 1e12, 1e-74, 1e74};
 constexpr double odd_coordinates[] = {1e-3, -1e-9, 1e-30, 1e-74, 1.0 / 3, -0.0, 1e6, -1e9};
-constexpr double magnitudes[] = {1, 1, 2, 0.5, 0, 1e-6, 1e6, 100};
+constexpr double magnitudes[] = {1, 2, 0.5, 0, 1e-6, 1e6, 1e75, 1e-75};
 
 // Mostly 0 to 7.
 double make_coordinate(Choices& choices) {
