@@ -53,9 +53,14 @@ class LloydLoop {
     return moved;
   }
 
+  // Each macrostep lowers the score or keeps it. Where it keeps it, as where all masses are 0, the
+  // seeds may wander from one equally good state to the next, more of them than can be met.
   void precise_phase() {
+    constexpr std::uint32_t most_in_vain = 100;
     std::unordered_set<std::uint64_t> met;
     std::vector<Score> last_scores;
+    Score lowest = never_scored;
+    std::uint32_t in_vain = 0;
     for (std::uint32_t step = 1; step <= options_.max_macrosteps; ++step) {
       if (!met.insert(digest(result_.seeds)).second) {
         result_.end = End::recurred;
@@ -65,6 +70,12 @@ class LloydLoop {
           Phase::precise, [&](Step& record) { return macrostep(step, record, last_scores); });
       if (!goes_on) return;
       if (result_.steps.back().seeds_moved == 0) return;
+      in_vain = result_.steps.back().score < lowest ? 0 : in_vain + 1;
+      lowest = std::min(lowest, result_.steps.back().score);
+      if (in_vain == most_in_vain) {
+        result_.end = End::recurred;
+        return;
+      }
     }
     result_.end = End::limit;
   }
