@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "core/errors.h"
@@ -113,6 +114,15 @@ double choose_tick_mass(std::span<const double> masses) {
 
 std::uint32_t to_mass_ticks(double mass, double tick) {
   return static_cast<std::uint32_t>(std::min(std::round(mass / tick), most_mass_ticks));
+}
+
+void check_energies(const Graph& graph) {
+  const double farthest = most_length_ticks * graph.tick_length;
+  const auto mass = std::accumulate(graph.mass.begin(), graph.mass.end(), std::uint64_t{0});
+  if (std::isfinite(farthest * farthest * graph.tick_mass * static_cast<double>(mass))) return;
+  throw InvalidInput(
+      "distances and areas are so large that energies would be infinite: scale the mesh, or the "
+      "magnitudes of its field, down");
 }
 
 Graph make_graph(std::span<const Link> links, std::span<const double> masses) {

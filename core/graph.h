@@ -41,7 +41,7 @@ struct Link {
 
 /// Puts links in place and quantises lengths and masses. Of links between the same two nodes the
 /// shortest stays; links from a node to itself go. Throws InvalidInput where 32-bit ids, or ticks
-/// for a path of very many arcs, do not suffice.
+/// for a path of very many arcs, do not suffice, and where an energy could be beyond all doubles.
 Graph make_graph(std::span<const Link> links, std::span<const double> masses);
 
 /// Most nodes a graph may have, for sums over nodes to fit (energy.h).

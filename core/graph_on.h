@@ -64,6 +64,9 @@ TidyRows tidy_rows(Executor& executor, std::span<const Link> links, std::size_t 
 double choose_tick_length(const TidyRows& rows, std::span<const Link> links);
 double choose_tick_mass(std::span<const double> masses);
 
+/// Throws InvalidInput where a sum of mass * distance^2 could be infinite.
+void check_energies(const Graph& graph);
+
 inline constexpr double most_length_ticks = 0x1p30;
 inline constexpr double most_mass_ticks = 0x1p32 - 1;
 
@@ -101,6 +104,7 @@ Graph make_graph_on(Executor& executor, std::span<const Link> links, std::size_t
     graph.mass[v] = to_mass_ticks(mass[v], graph.tick_mass);
   });
   graph.first_arc = std::move(rows.first_arc);
+  check_energies(graph);
   return graph;
 }
 

@@ -8,7 +8,7 @@
 namespace geolloyd {
 namespace {
 
-LoadedMesh read(MeshFormat format, std::string_view bytes, std::string_view name) {
+LoadedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name) {
   switch (format) {
     case MeshFormat::ply:
       return read_ply(bytes, name);
@@ -23,7 +23,7 @@ LoadedMesh read(MeshFormat format, std::string_view bytes, std::string_view name
 }
 
 // A graph numbers the corners of a mesh in 32 bits, one of which values means "none".
-void check_size(const Mesh& mesh, std::size_t file_size, const std::string& name) {
+void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
   if (mesh.positions.empty()) fail_at_byte(name, file_size, "the file ends without a vertex");
   if (mesh.triangles.empty()) {
     fail_at_byte(name, file_size,
@@ -39,10 +39,10 @@ void check_size(const Mesh& mesh, std::size_t file_size, const std::string& name
 }
 
 // Areas are square roots of fourth powers: on a smaller mesh they would all vanish.
-void check_extent(const Mesh& mesh, const std::string& name) {
+void check_extent(const Mesh& mesh, std::string_view name) {
   const double widest = bounding_box(mesh.positions).extent().maxCoeff();
   if (widest > 0 && widest < 1 / largest_coordinate) {
-    throw InvalidInput(name + ": the mesh is smaller than 1e-75; scale it up");
+    throw InvalidInput(std::string(name) + ": the mesh is smaller than 1e-75; scale it up");
   }
 }
 
@@ -50,12 +50,14 @@ void check_extent(const Mesh& mesh, const std::string& name) {
 
 LoadedMesh read_mesh(const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);
-  const std::string bytes = read_file(path);
-  const std::string name = path.string();
+  return parse_mesh(format, read_file(path), path.string());
+}
+
+LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name) {
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
   if (bytes.starts_with("\x1f\x8b\x08"))
     fail_at_byte(name, 0, "the file is compressed; gunzip it first");
-  LoadedMesh loaded = read(format, bytes, name);
+  LoadedMesh loaded = parse_as(format, bytes, name);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
   return loaded;

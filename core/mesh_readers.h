@@ -25,6 +25,9 @@ enum class MeshFormat { ply, obj, off, stl };
 /// Told by the extension; throws InvalidInput where it is none of ours.
 MeshFormat format_of(const std::filesystem::path& path);
 
+/// What read_mesh makes of a file that holds `bytes`; `name` opens every message.
+LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name);
+
 /// One reader per format: `bytes` is the whole file, `name` opens every message. Coordinates of the
 /// result are usable and its indices in range; it may still be empty.
 LoadedMesh read_ply(std::string_view bytes, std::string_view name);

@@ -46,6 +46,7 @@ class LloydLoop {
     const Phase phase = next_phase();
     if (phase == Phase::precise && has_converged()) return End::converged;
     if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps) return End::limit;
+    if (wanders()) return End::recurred;
     const Stopwatch watch;
     const KernelSeconds before = engine_.seconds();
     begin_step(phase);
@@ -72,6 +73,16 @@ class LloydLoop {
   [[nodiscard]] bool has_converged() const {
     return !state_.steps.empty() && state_.steps.back().phase == Phase::precise &&
            state_.steps.back().seeds_moved == 0;
+  }
+
+  // Each macrostep lowers the score or keeps it. Where it keeps it, as where all masses are 0, the
+  // seeds may wander from one equally good state to the next, more of them than can be met.
+  [[nodiscard]] bool wanders() const {
+    constexpr std::size_t most_in_vain = 100;
+    const std::vector<Step>& steps = state_.steps;
+    if (steps.size() <= most_in_vain) return false;
+    const Step& earlier = steps[steps.size() - 1 - most_in_vain];
+    return earlier.phase == Phase::precise && steps.back().score >= earlier.score;
   }
 
   // Counts from 1.

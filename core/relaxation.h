@@ -45,7 +45,8 @@ enum class End {
   converged,    ///< a macrostep ended with the seeds with which it began
   interrupted,  ///< the observer asked for it
   limit,        ///< of steps, in the options
-  recurred      ///< the seeds came back to where they had been before: it would go on for ever
+  recurred      ///< the seeds came back to where they had been before, or 100 macrosteps lowered
+                ///< no score: it would go on for ever, or nearly so
 };
 
 /// A relaxation between two steps: all that the rest of its course depends on, whatever engine

@@ -119,7 +119,7 @@ class SeedReader {
     const std::string_view expected = mesh_graph_.is_triangle(id) ? "triangle" : "vertex";
     const std::string_view kind = cursor_.word();
     if (kind != expected) {
-      cursor_.fail("seed of kind '" + std::string(kind) + "' where this graph has a " +
+      cursor_.fail("seed of kind " + in_quotes(kind) + " where this graph has a " +
                    std::string(expected) + ": these seeds belong to another kind of graph");
     }
   }
@@ -152,14 +152,14 @@ class SeedReader {
   std::size_t columns_ = 0;  // of a table
 };
 
-void check_components(const std::string& name, const MeshGraph& mesh_graph,
+void check_components(std::string_view name, const MeshGraph& mesh_graph,
                       const Components& components, const std::vector<NodeId>& seeds) {
   std::vector<bool> has_seed(components.size(), false);
   for (const NodeId s : seeds) has_seed[components.component_of[s]] = true;
   const auto missing = std::find(has_seed.begin(), has_seed.end(), false);
   if (missing == has_seed.end()) return;
   const auto nodes = components.nodes(static_cast<std::size_t>(missing - has_seed.begin()));
-  throw InvalidInput(name + ": " +
+  throw InvalidInput(std::string(name) + ": " +
                      std::to_string(std::count(has_seed.begin(), has_seed.end(), false)) + " of " +
                      std::to_string(components.size()) +
                      " connected components have no seed: add one to each, such as input id " +
@@ -170,10 +170,14 @@ void check_components(const std::string& name, const MeshGraph& mesh_graph,
 
 std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const MeshGraph& mesh_graph,
                                    const Components& components) {
-  std::string text = read_file(path);
-  std::replace(text.begin(), text.end(), ',', ' ');
-  const std::string name = path.string();
-  std::vector<NodeId> seeds = SeedReader(text, name, mesh_graph).read();
+  return parse_seeds(read_file(path), path.string(), mesh_graph, components);
+}
+
+std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
+                                const MeshGraph& mesh_graph, const Components& components) {
+  std::string words(text);
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::vector<NodeId> seeds = SeedReader(words, name, mesh_graph).read();
   check_components(name, mesh_graph, components, seeds);
   return seeds;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/components.h"
@@ -15,5 +16,8 @@ namespace geolloyd {
 /// a connected component of the graph has no seed.
 std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const MeshGraph& mesh_graph,
                                    const Components& components);
+/// What it makes of a file that holds `text`; `name` opens every message.
+std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
+                                const MeshGraph& mesh_graph, const Components& components);
 
 }  // namespace geolloyd

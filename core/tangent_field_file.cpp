@@ -41,8 +41,11 @@ TangentSpace read_space(TextCursor& cursor) {
 
 std::vector<TangentSpace> read_tangent_field(const std::filesystem::path& path,
                                              std::size_t vertex_count) {
-  const std::string text = read_file(path);
-  const std::string name = path.string();
+  return parse_tangent_field(read_file(path), path.string(), vertex_count);
+}
+
+std::vector<TangentSpace> parse_tangent_field(std::string_view text, std::string_view name,
+                                              std::size_t vertex_count) {
   TextCursor cursor(text, name);
   skip_header(cursor);
   std::vector<TangentSpace> spaces;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/tangent_field.h"
@@ -12,5 +13,8 @@ namespace geolloyd {
 /// InvalidInput naming the line where something is malformed, missing or too much.
 std::vector<TangentSpace> read_tangent_field(const std::filesystem::path& path,
                                              std::size_t vertex_count);
+/// What it makes of a file that holds `text`; `name` opens every message.
+std::vector<TangentSpace> parse_tangent_field(std::string_view text, std::string_view name,
+                                              std::size_t vertex_count);
 
 }  // namespace geolloyd

@@ -280,6 +280,20 @@ TEST(MeshGraph, AFieldStretchesStraightWaysAcrossEdges) {
   }
 }
 
+// Coordinates and magnitudes may each be as large as files may hold them, but not both.
+TEST(MeshGraph, RefusesLengthsWhoseEnergiesWouldBeInfinite) {
+  const Mesh small = folded_square();
+  Mesh large = small;
+  for (Vec3& p : large.positions) p *= largest_coordinate;
+  const std::vector<TangentSpace> field(
+      4, {Vec3::UnitX(), Vec3::UnitY(), largest_coordinate, largest_coordinate});
+  for (const GraphKind kind : all_kinds) {
+    EXPECT_NO_THROW(make(large, kind));
+    EXPECT_NO_THROW(make(small, kind, Norm::geodesic, field));
+    EXPECT_THROW(make(large, kind, Norm::geodesic, field), InvalidInput);
+  }
+}
+
 TEST(MeshGraph, AUnitFieldOnThePlaneChangesNothing) {
   const Mesh mesh = irregular_plane(800, 1);
   for (const GraphKind kind : all_kinds) {

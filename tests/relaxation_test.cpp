@@ -320,6 +320,21 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
   }
 }
 
+// Without masses every state is as good as any other, and there are more than can be met.
+TEST(Relaxation, EndsWhereNothingIsBetter) {
+  std::vector<Link> links;
+  for (NodeId v = 0; v < 60; ++v) {
+    for (const NodeId further : {1U, 7U}) links.push_back({v, (v + further) % 60, 1.0});
+  }
+  const Graph graph = make_graph(links, std::vector<double>(60, 0.0));
+  RelaxationOptions options;
+  options.greedy = GreedyMode::off;
+  options.macrostep_skip = false;
+  const Relaxation result = run(graph, random_nodes(1, 60, 9), options);
+  EXPECT_EQ(result.end, End::recurred);
+  EXPECT_LE(result.steps.size(), 101U);  // and not thousands
+}
+
 // Twelve regions on the sphere should come near the dodecahedron's.
 TEST(Relaxation, MakesEvenRegionsOnTheSphere) {
   const Mesh mesh = icosphere(20000);

@@ -87,6 +87,13 @@ TEST_F(SeedFile, NoPartOfALineIsTakenForTheWhole) {
   }
 }
 
+TEST_F(SeedFile, IsRefusedInAMessageThatPrints) {
+  const std::string header = "input_id,kind\n";
+  expect_refused(header + "3,\x01z\xff\n", "line 2: seed of kind '?z?' where");
+  expect_refused(header + "3," + std::string(100, 'x') + "\n",
+                 "line 2: seed of kind '" + std::string(40, 'x') + "...' where");
+}
+
 TEST_F(SeedFile, IsRefusedWithTheLineWhereItIsWrong) {
   expect_refused("", "line 1: no seeds");
   expect_refused("# nothing\n", "line 2: no seeds");

@@ -37,7 +37,7 @@ const char* describe(End end) {
     case End::limit:
       return "stopped at the limit of macrosteps, best state so far,";
     case End::recurred:
-      return "STOPPED, the seeds came back to an earlier state; the best state";
+      return "STOPPED, the seeds wander between equally good states; the best state";
   }
   return "";
 }
