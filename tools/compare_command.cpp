@@ -132,7 +132,7 @@ void add_compare_command(CLI::App& program) {
   add_relaxation_options(*command, a->relax);
   const char* group = "What to compare (lists, separated by commas; all combinations)";
   command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has")
-      ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
+      ->check(CLI::Validator(CLI::Range(1, most_threads)).description(""))
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NUMBERS")

@@ -7,6 +7,7 @@
 
 #include "core/errors.h"
 #include "tools/commands.h"
+#include "tools/memory_limit.h"
 
 namespace {
 
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);
   geolloyd::add_quality_command(program);
+  for (CLI::App* command : program.get_subcommands({})) geolloyd::add_memory_option(*command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -56,13 +58,14 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    geolloyd::limit_memory(geolloyd::available_memory());
     return run(argc, argv);
   } catch (const geolloyd::Error& error) {
     return complain(status_bad_input, error.what());
   } catch (const geolloyd::InterruptedExit&) {
     return status_interrupted;
   } catch (const std::bad_alloc&) {
-    return complain(status_error, "out of memory: use a smaller mesh or a graph with fewer arcs");
+    return complain(status_bad_input, geolloyd::out_of_memory_message());
   } catch (const std::exception& error) {
     return complain(status_error, error.what());
   }

@@ -112,7 +112,7 @@ void add_thread_options(CLI::App& command, RelaxArguments& a) {
 
 void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
   command.add_option("--threads", a.threads, "How many (default: all the machine has)")
-      ->check(CLI::Validator(CLI::Range(1, 1024)).description(""))
+      ->check(CLI::Validator(CLI::Range(1, most_threads)).description(""))
       ->type_name("NUMBER")
       ->group(thread_group);
   one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
