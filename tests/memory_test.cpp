@@ -140,6 +140,15 @@ TEST_F(Program, RefusesFilesPicturesAndMeshesThatAreTooLargeBeforeTheWork) {
   EXPECT_FALSE(fs::exists(fine));
 }
 
+// The stacks of threads are large, but empty.
+TEST_F(Program, StartsManyThreadsWithLittleMemory) {
+  if (is_sanitized) GTEST_SKIP();
+  for (const std::string backend : {"tbb", "openmp"}) {
+    const Outcome outcome = relax("-k 5 --threads 64 --memory-limit 120M --backend " + backend);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+  }
+}
+
 // No file size warns of it.
 TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   if (is_sanitized) GTEST_SKIP();

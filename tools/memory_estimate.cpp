@@ -9,7 +9,7 @@ using Bytes = std::uint64_t;
 
 // The program itself, libraries, stacks and small things.
 constexpr Bytes base = 32'000'000;
-constexpr Bytes per_thread = 1'000'000;
+constexpr Bytes per_thread = 300'000;
 // What the allocator loses between blocks.
 constexpr Bytes with_gaps(Bytes bytes) {
   return bytes + bytes / 10;

@@ -23,6 +23,8 @@ constexpr std::uint64_t large = 1'000'000'000;
 
 std::uint64_t limit = unlimited;
 std::uint64_t told = large;
+std::uint64_t held_at_start = 0;
+std::size_t threads = 0;
 
 // The number behind a word at the beginning of a line; files of the kernel are made of these.
 std::optional<std::uint64_t> number_in(const std::filesystem::path& file, const std::string& word) {
@@ -90,8 +92,21 @@ std::uint64_t left_in_groups(const std::filesystem::path& root) {
 
 // Threads reserve a stack each, and use little of it.
 std::uint64_t room_for_stacks() {
-  constexpr std::uint64_t stack = std::uint64_t{8} << 20;
-  return 2 * stack * std::max(1U, std::thread::hardware_concurrency());
+  rlimit stack{};
+  constexpr rlim_t usual = rlim_t{8} << 20;
+  const bool known = getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur != RLIM_INFINITY;
+  // Embree and the other backend may start as many as there are cores.
+  return (known ? stack.rlim_cur : usual) * (threads + 2 * std::thread::hardware_concurrency());
+}
+
+// Where the system will not have it, there is no such net.
+void limit_data() {
+  rlimit data{};
+  if (getrlimit(RLIMIT_DATA, &data) != 0) return;
+  const std::uint64_t room = held_at_start + room_for_stacks();
+  data.rlim_cur =
+      std::min<rlim_t>(limit < unlimited - room ? limit + room : RLIM_INFINITY, data.rlim_max);
+  setrlimit(RLIMIT_DATA, &data);
 }
 
 }  // namespace
@@ -101,16 +116,15 @@ std::uint64_t available_memory(const std::filesystem::path& root) {
   return std::min(available ? *available * 1024 : unlimited, left_in_groups(root));
 }
 
-// Where the system will not have it, there is no such net.
 void limit_memory(std::uint64_t bytes) {
   limit = bytes;
-  rlimit data{};
-  if (getrlimit(RLIMIT_DATA, &data) != 0) return;
-  const std::uint64_t held = number_in("/proc/self/status", "VmData:").value_or(0) * 1024;
-  const std::uint64_t room = held + room_for_stacks();
-  data.rlim_cur =
-      std::min<rlim_t>(bytes < unlimited - room ? bytes + room : RLIM_INFINITY, data.rlim_max);
-  setrlimit(RLIMIT_DATA, &data);
+  held_at_start = number_in("/proc/self/status", "VmData:").value_or(0) * 1024;
+  limit_data();
+}
+
+void make_room_for_threads(std::size_t count) {
+  threads = std::max(threads, count);
+  limit_data();
 }
 
 void add_memory_option(CLI::App& command) {

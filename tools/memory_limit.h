@@ -19,6 +19,9 @@ std::uint64_t available_memory(const std::filesystem::path& root = "/");
 /// Limits this process from now on, instead of any earlier limit.
 void limit_memory(std::uint64_t bytes);
 
+/// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
+void make_room_for_threads(std::size_t count);
+
 /// Adds --memory-limit, which calls that.
 void add_memory_option(CLI::App& command);
 

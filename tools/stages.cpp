@@ -103,6 +103,7 @@ std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
 }  // namespace
 
 Scheduler make_scheduler(const RelaxArguments& a) {
+  make_room_for_threads(a.threads);
   return Scheduler(a.threads, value_of(backend_names, a.backend));
 }
 
