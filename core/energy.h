@@ -28,6 +28,10 @@ inline void add_scores(const Graph& graph, const std::vector<Key>& keys,
   }
 }
 
+static_assert(std::uint64_t{most_distance} * most_distance <
+                  (never_scored / most_mass / most_nodes),
+              "the score of all nodes at once fits, and is no mark");
+
 /// A score, or a sum of scores, in mesh units: sum of mass * distance^2.
 inline double to_energy(const Graph& graph, Score score) {
   return static_cast<double>(score) * graph.tick_length * graph.tick_length * graph.tick_mass;

@@ -11,11 +11,6 @@
 namespace geolloyd {
 namespace {
 
-struct Depth {
-  double length = 0;
-  std::size_t arcs = 0;
-};
-
 // An arc to a node reached for the first time, and how deep the node is; before its level is
 // complete, how deep the node that it was reached from is.
 struct Reached {
@@ -71,13 +66,17 @@ Depth tree_depth(const TidyRows& rows, std::span<const Link> links) {
 
 }  // namespace
 
-void check_limits(std::size_t nodes, std::size_t arcs) {
-  if (nodes > most_nodes || arcs > most_arcs) {
-    throw InvalidInput("the graph would have " + std::to_string(nodes) + " nodes and " +
-                       std::to_string(arcs) + " arcs; at most " + std::to_string(most_nodes) +
-                       " and " + std::to_string(most_arcs) +
-                       " fit: use a coarser mesh or a graph kind with fewer arcs");
-  }
+void check_node_count(std::size_t nodes) {
+  if (nodes <= most_nodes) return;
+  throw InvalidInput("the graph would have " + std::to_string(nodes) + " nodes, but at most " +
+                     std::to_string(most_nodes) + " fit: use --graph vertex, or a coarser mesh");
+}
+
+void check_link_count(std::uint64_t links) {
+  if (links <= most_arcs / 2) return;
+  throw InvalidInput("the graph would have " + std::to_string(links) +
+                     " arcs in each direction, but at most " + std::to_string(most_arcs / 2) +
+                     " fit: use --graph vertex, or a coarser mesh");
 }
 
 std::uint32_t tidy_row(std::span<LinkedArc> row, std::span<const Link> links) {
@@ -93,27 +92,36 @@ std::uint32_t tidy_row(std::span<LinkedArc> row, std::span<const Link> links) {
   return kept;
 }
 
-// Rounding may add a tick to every arc of the path, and the depth itself was summed with rounding:
-// the ticks put aside for both are lost in 2^30.
-double choose_tick_length(const TidyRows& rows, std::span<const Link> links) {
-  const Depth depth = tree_depth(rows, links);
-  if (depth.length == 0) return 1;
-  const double budget = most_length_ticks - 2 * static_cast<double>(depth.arcs) - 64;
-  if (budget < most_length_ticks / 2) {
+// The ticks put aside for rounding are lost in 2^30.
+double tick_length_for(const Depth& depth) {
+  if (depth.arcs > most_path_arcs) {
     throw InvalidInput("a path of the graph has " + std::to_string(depth.arcs) +
                        " arcs, too many for exact distances: use a coarser mesh");
   }
-  return std::max(2 * depth.length / budget, std::numeric_limits<double>::min());
+  const double longest = 2 * depth.length;
+  if (!std::isfinite(longest)) {
+    throw InvalidInput("a path of the graph is too long for a number: scale the mesh down");
+  }
+  if (longest == 0) return 1;
+  const auto ticks = static_cast<double>(most_length - 2 * depth.arcs - rounding_ticks);
+  return std::max(longest / ticks, std::numeric_limits<double>::min());
+}
+
+double choose_tick_length(const TidyRows& rows, std::span<const Link> links) {
+  return tick_length_for(tree_depth(rows, links));
 }
 
 double choose_tick_mass(std::span<const double> masses) {
   const double largest = masses.empty() ? 0 : *std::max_element(masses.begin(), masses.end());
+  if (!std::isfinite(largest)) {
+    throw InvalidInput("the area of a node is too large for a number: scale the mesh down");
+  }
   if (largest == 0) return 1;
-  return std::max(largest / most_mass_ticks, std::numeric_limits<double>::min());
+  return std::max(largest / most_mass, std::numeric_limits<double>::min());
 }
 
 std::uint32_t to_mass_ticks(double mass, double tick) {
-  return static_cast<std::uint32_t>(std::min(std::round(mass / tick), most_mass_ticks));
+  return static_cast<std::uint32_t>(std::min<double>(std::round(mass / tick), most_mass));
 }
 
 void check_energies(const Graph& graph) {

@@ -21,8 +21,9 @@ inline const Link& link_of(LinkedArc arc, std::span<const Link> links) {
   return links[static_cast<std::uint32_t>(arc)];
 }
 
-/// Throws InvalidInput.
-void check_limits(std::size_t nodes, std::size_t arcs);
+// Before memory is taken for them. Throw InvalidInput.
+void check_node_count(std::size_t nodes);
+void check_link_count(std::uint64_t links);
 
 /// Both directions of each link; loops go.
 template <class Executor>
@@ -60,20 +61,29 @@ TidyRows tidy_rows(Executor& executor, std::span<const Link> links, std::size_t 
   return rows;
 }
 
-/// As fine as Graph says. Throws InvalidInput where paths have too many arcs.
+/// How deep breadth-first trees are: the largest of all components.
+struct Depth {
+  double length = 0;  ///< mesh units
+  std::size_t arcs = 0;
+};
+
+/// Rounding adds a tick at most to every arc, and two ways to the root bound a path: with so many
+/// arcs that may be half of all ticks there are.
+inline constexpr std::size_t rounding_ticks = 64;  ///< what the sum of a path's lengths is off by
+inline constexpr std::size_t most_path_arcs = (most_length / 2 - rounding_ticks) / 2;
+
+/// As fine as Graph says. Throws InvalidInput where a path has too many arcs.
+double tick_length_for(const Depth& depth);
 double choose_tick_length(const TidyRows& rows, std::span<const Link> links);
 double choose_tick_mass(std::span<const double> masses);
 
 /// Throws InvalidInput where a sum of mass * distance^2 could be infinite.
 void check_energies(const Graph& graph);
 
-inline constexpr double most_length_ticks = 0x1p30;
-inline constexpr double most_mass_ticks = 0x1p32 - 1;
-
 /// An arc longer than every shortest path is on none, so its length may be cut to fit. The double
 /// just below one half, which alone would not round to nearest this way, is less than a tick.
 inline std::uint32_t to_length_ticks(double length, double tick) {
-  return static_cast<std::uint32_t>(std::clamp(length / tick + 0.5, 1.0, most_length_ticks));
+  return static_cast<std::uint32_t>(std::clamp<double>(length / tick + 0.5, 1, most_length));
 }
 std::uint32_t to_mass_ticks(double mass, double tick);
 
@@ -82,7 +92,8 @@ std::uint32_t to_mass_ticks(double mass, double tick);
 template <class Executor, class Masses>
 Graph make_graph_on(Executor& executor, std::span<const Link> links, std::size_t nodes,
                     Masses&& masses) {
-  check_limits(nodes, 2 * links.size());
+  check_node_count(nodes);
+  check_link_count(links.size());
   TidyRows rows = tidy_rows(executor, links, nodes);
   Graph graph;
   decltype(masses()) mass;

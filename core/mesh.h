@@ -22,6 +22,15 @@ struct Mesh {
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size(); }
 };
 
+/// Most vertices of a mesh: every id but the one that stands for "none".
+inline constexpr std::size_t most_vertices = no_id;
+/// Most triangles: each of their corners has such an id too (mesh_edges.h).
+inline constexpr std::size_t most_triangles = no_id / 3;
+
+constexpr bool ids_suffice(Uint128 vertices, Uint128 triangles) {
+  return vertices <= most_vertices && triangles <= most_triangles;
+}
+
 /// False where a triangle names a vertex twice. Such a triangle is kept, so that ids stay those of
 /// the input, but it takes part in nothing.
 inline bool has_three_vertices(const Triangle& t) {

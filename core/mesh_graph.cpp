@@ -22,13 +22,6 @@ double straight_length(const Place& a, const Place& b, Norm norm_kind) {
   return length_in_metric(a, b, norm(b.position - a.position), norm_kind);
 }
 
-void check_link_count(std::uint64_t links) {
-  if (2 * links <= most_arcs) return;
-  throw InvalidInput("the graph would have " + std::to_string(2 * links) +
-                     " arcs, more than fit, because very many triangles share an edge or a "
-                     "vertex: use --graph vertex");
-}
-
 MeshGraph start_mesh_graph(const Mesh& mesh, GraphKind kind) {
   MeshGraph result;
   result.kind = kind;
@@ -64,6 +57,20 @@ std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const 
                                             : of_vertex[id]);
   }
   return masses;
+}
+
+std::uint64_t count_links(const Mesh& mesh, const MeshEdges& edges, GraphKind kind) {
+  std::uint64_t links = has_vertices(kind) ? edges.size() : 0;
+  for (std::size_t e = 0; kind != GraphKind::vertex && e < edges.size(); ++e) {
+    links += pairs(edges.corners(e).size());
+  }
+  if (kind == GraphKind::mixed) links += edges.corner.size();
+  if (kind == GraphKind::triangle_dense) {
+    std::vector<std::uint32_t> fan(mesh.vertex_count(), 0);
+    for (const CornerId corner : edges.corner) ++fan[apex(mesh, corner)];
+    for (const std::uint32_t triangles : fan) links += pairs(triangles);
+  }
+  return links;
 }
 
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges,

@@ -50,6 +50,10 @@ struct MeshGraphOptions {
   std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
 };
 
+/// Links that the graph is made of, before those between the same two nodes become one. Many
+/// triangles at one edge or vertex make links by the square of their number.
+std::uint64_t count_links(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
+
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
 /// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A

@@ -29,6 +29,7 @@ Vec3 position_of(const Mesh& mesh, const MeshGraph& target, std::uint32_t id);
 template <class Executor>
 void number_nodes(Executor& executor, const Mesh& mesh, MeshGraph& target) {
   const std::vector<std::uint32_t> used = used_input_ids(executor, mesh, target);
+  check_node_count(used.size());
   const std::vector<std::uint32_t> order = spatial_order_on(
       executor, used.size(), [&](std::size_t i) { return position_of(mesh, target, used[i]); });
   run_each(

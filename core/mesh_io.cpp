@@ -22,19 +22,14 @@ LoadedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view 
   return read_stl(bytes, name);
 }
 
-// A graph numbers the corners of a mesh in 32 bits, one of which values means "none".
 void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
   if (mesh.positions.empty()) fail_at_byte(name, file_size, "the file ends without a vertex");
   if (mesh.triangles.empty()) {
     fail_at_byte(name, file_size,
                  "the file ends without a face; a point cloud has no surface to tessellate");
   }
-  constexpr std::size_t most = no_id - 1;
-  if (mesh.vertex_count() > most || mesh.triangle_count() > most / 3) {
-    fail_at_byte(name, file_size,
-                 std::to_string(mesh.vertex_count()) + " vertices and " +
-                     std::to_string(mesh.triangle_count()) +
-                     " triangles are more than 32 bits can number");
+  if (!ids_suffice(mesh.vertex_count(), mesh.triangle_count())) {
+    fail_at_byte(name, file_size, too_many(mesh.vertex_count(), mesh.triangle_count()));
   }
 }
 
@@ -75,6 +70,12 @@ MeshFormat format_of(const std::filesystem::path& path) {
 
 void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {
   throw InvalidInput(std::string(name) + ": byte " + std::to_string(offset) + ": " + message);
+}
+
+std::string too_many(std::size_t vertices, std::size_t faces) {
+  return std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces; at most " +
+         std::to_string(most_vertices) + " and " + std::to_string(most_triangles) +
+         " fit into 32-bit ids";
 }
 
 std::string bad_coordinate(double coordinate) {

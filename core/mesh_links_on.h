@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/graph_on.h"
 #include "core/grouping.h"
 #include "core/mesh_graph.h"
 #include "core/mesh_measure.h"
@@ -26,9 +27,6 @@ double straight_length(const Place& a, const Place& b, Norm norm_kind);
 inline std::uint64_t pairs(std::uint64_t count) {
   return count * (count - 1) / 2;
 }
-
-/// Throws InvalidInput.
-void check_link_count(std::uint64_t links);
 
 /// Makes the links of a mesh graph whose nodes have been numbered.
 template <class Executor>

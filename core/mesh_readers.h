@@ -39,7 +39,9 @@ LoadedMesh read_stl(std::string_view bytes, std::string_view name);
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t offset,
                                const std::string& message);
 
-// What is wrong with a coordinate that is not usable, a face, an index.
+// What is wrong with counts for which ids do not suffice (mesh.h; asked before memory is taken for
+// what a header promises), a coordinate that is not usable, a face, an index.
+std::string too_many(std::size_t vertices, std::size_t faces);
 std::string bad_coordinate(double coordinate);
 std::string bad_corner_count(std::int64_t count);
 std::string bad_index(std::int64_t index, std::size_t vertex_count);

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/types.h"
+#include "core/graph.h"
 
 namespace geolloyd {
 
@@ -26,15 +26,20 @@ constexpr RegionId region_of(Key key) {
   return static_cast<RegionId>(key);
 }
 
-/// The same, but no farther than any distance is (graph.h), so that there is room for one more arc.
+/// Every distance is below this, regions free or locked. Free ones are below half of it (graph.h).
+/// In a locked region a node can always be reached by way of the seed that the region was found
+/// from, and neither part of that way is longer than a free distance.
+inline constexpr std::uint32_t most_distance = 2 * most_length;
+
+/// The same as along(), but no farther than that, so that there is room for one more arc.
 constexpr Key bounded_along(Key key, std::uint32_t length) {
-  constexpr std::uint32_t farthest = std::uint32_t{1} << 31;
   const std::uint64_t distance = std::uint64_t{distance_of(key)} + length;
-  return distance < farthest ? along(key, length) : make_key(farthest, region_of(key));
+  return distance < most_distance ? along(key, length) : make_key(most_distance, region_of(key));
 }
 
-/// No path is so long: distances stay below 2^30, or 2^31 in locked regions (graph.h).
 inline constexpr std::uint32_t unreached_distance = std::numeric_limits<std::uint32_t>::max();
+static_assert(std::uint64_t{most_distance} + most_length < unreached_distance,
+              "one arc beyond the farthest node a distance still fits, and is no mark");
 /// Of a node that no seed can reach.
 inline constexpr Key unreached = make_key(unreached_distance, no_id);
 

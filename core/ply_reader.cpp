@@ -170,9 +170,18 @@ void read_faces(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
       *list.count_type, std::get<PlyInteger>(list.type));
 }
 
+// `in` has a body that is long enough for what the element promises.
+template <class Body>
+void check_ids(const Body& in, const PlyHeader& header, std::size_t element) {
+  const std::size_t vertices = element == header.vertex ? header.elements[element].count : 0;
+  const std::size_t faces = element == header.face ? header.elements[element].count : 0;
+  if (!ids_suffice(vertices, faces)) in.fail(too_many(vertices, faces));
+}
+
 void read_binary(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     body.check_count(header.elements[i]);
+    check_ids(body, header, i);
     if (i == header.vertex) {
       read_vertices(body, header, loaded);
     } else if (i == header.face) {
@@ -231,6 +240,7 @@ void read_ascii(TextCursor& text, const PlyHeader& header, LoadedMesh& loaded) {
     const PlyElement& element = header.elements[i];
     check_line_count(text, static_cast<std::int64_t>(element.count), element.properties.size(),
                      "rows of element " + in_quotes(element.name));
+    check_ids(text, header, i);
     if (i == header.vertex) {
       read_ascii_vertices(text, header, loaded);
     } else if (i == header.face) {

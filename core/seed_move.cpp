@@ -1,7 +1,13 @@
 #include "core/seed_move.h"
 
+#include <limits>
+
 namespace geolloyd {
 namespace {
+
+// A heuristic is one weight, and in the extended mode those of subtrees that have no node in
+// common: together these have at most all cost and all mass.
+static_assert(most_cost <= std::numeric_limits<Uint128>::max() / most_subtree_mass / 2);
 
 Uint128 weight(const SubtreeSums& sums, NodeId v) {
   return Uint128{sums.cost[v]} * sums.mass[v];

@@ -15,11 +15,11 @@ namespace geolloyd {
 /// where the mesh would have more corners than 32-bit ids can count.
 inline std::uint32_t smallest_frequency(std::size_t triangles, std::uint64_t base) {
   if (triangles == 0) throw InvalidInput("shape: 0 triangles asked for; ask for at least 1");
-  if (triangles <= no_id / 3) {
+  if (triangles <= most_triangles) {
     const std::uint64_t square = triangles / base;
     auto f = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(square)));
     while (base * f * f < triangles) ++f;
-    if (3 * base * f * f <= no_id) return static_cast<std::uint32_t>(f);
+    if (base * f * f <= most_triangles) return static_cast<std::uint32_t>(f);
   }
   throw InvalidInput("shape: " + std::to_string(triangles) +
                      " triangles need ids beyond 32 bits; ask for fewer than 1,400,000,000");

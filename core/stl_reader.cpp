@@ -74,9 +74,11 @@ LoadedMesh read_binary(std::string_view bytes, std::string_view name) {
                      std::to_string((size - header_size) / triangle_size) + " triangles in " +
                      std::to_string(size) + " bytes");
   }
+  const std::size_t triangles = (size - header_size) / triangle_size;
+  if (!ids_suffice(0, triangles)) fail_at_byte(name, header_size, too_many(0, triangles));
   LoadedMesh loaded;
   loaded.format = "STL, binary";
-  loaded.mesh.triangles.reserve((size - header_size) / triangle_size);
+  loaded.mesh.triangles.reserve(triangles);
   Welder welder(loaded);
   for (std::size_t offset = header_size; offset < size; offset += triangle_size) {
     const char* corner = bytes.data() + offset + 12;

@@ -69,7 +69,7 @@ class Subdivision {
     const Uint128 vertices =
         mesh_.vertex_count() + Uint128{edges} * (frequency_ - 1) + Uint128{count} * inner_points;
     const Uint128 triangles = Uint128{count} * pieces;
-    if (vertices > no_id || 3 * triangles > no_id) {  // corners have ids too
+    if (!ids_suffice(vertices, triangles)) {
       throw InvalidInput(
           "subdivision: the result would need ids beyond 32 bits; take a coarser mesh or fewer "
           "pieces");

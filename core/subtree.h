@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -9,8 +10,13 @@
 
 namespace geolloyd {
 
-/// Sums over each node's subtree of the forest, the node itself included. Exact: distances are
-/// below 2^31, masses below 2^32, and there are fewer than 2^30 nodes.
+/// No sum of distances, nor of masses, is larger, however many nodes it is over.
+inline constexpr Uint128 most_cost = Uint128{most_nodes} * most_distance;
+inline constexpr Uint128 most_subtree_mass = Uint128{most_nodes} * most_mass;
+static_assert(most_cost <= std::numeric_limits<std::uint64_t>::max());
+static_assert(most_subtree_mass <= std::numeric_limits<std::uint64_t>::max());
+
+/// Sums over each node's subtree of the forest, the node itself included. Exact.
 struct SubtreeSums {
   std::vector<std::uint64_t> cost;  ///< per node: sum of distances, ticks
   std::vector<std::uint64_t> mass;  ///< per node: sum of masses, ticks

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "parallel/atomic_key.h"
 #include "parallel/primitives.h"
 
 namespace geolloyd {
 namespace {
+
+static_assert(most_arcs <= std::numeric_limits<std::uint64_t>::max() / most_length);
 
 std::uint32_t mean_length(Scheduler& scheduler, const Graph& graph) {
   const auto total = sum_ranges<std::uint64_t>(scheduler, graph.arc_count(), 1 << 15,
@@ -29,7 +32,8 @@ void set(std::uint8_t& flag) {
 
 DeltaStepping::DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint32_t delta)
     : scheduler_(scheduler), graph_(graph), delta_(delta), buckets_(scheduler.threads()) {
-  // Not so many buckets that they cost more than the nodes, where a few arcs are very long.
+  // Not so many buckets (2^19 for the farthest node) that they cost more than the nodes, where a
+  // few arcs are very long.
   constexpr std::uint32_t least = 1 << 12;
   if (delta_ == 0) delta_ = std::max(mean_length(scheduler, graph), least);
 }

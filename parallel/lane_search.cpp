@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 // The kernels are compiled twice, for processors with AVX2 and for all, and chosen between when
 // they run: a program built here runs everywhere.
@@ -89,6 +90,9 @@ GEOLLOYD_INLINE void settle_lanes(const Work& w, const NodeId* order) {
   }
 }
 
+static_assert(2 * (std::uint64_t{most_distance} - 1) <= std::numeric_limits<std::uint32_t>::max(),
+              "a distance and the way between two sources fit into a lane");
+
 // distance^2 * mass has up to 94 bits. Its low 32 and its high part are summed apart, the high
 // one for `block` nodes at a time, so that neither overflows.
 GEOLLOYD_INLINE void add_scores(const Work& w, std::size_t block, Score* scores) {
@@ -151,6 +155,7 @@ std::size_t nodes_a_block(const Work& w) {
   }
   const auto product_bits =
       static_cast<int>(2 * std::bit_width(distance_bits) + std::bit_width(mass_bits));
+  static_assert(2 * std::bit_width(most_distance - 1) + std::bit_width(most_mass) - 32 + 1 <= 64);
   const int high_bits = std::max(product_bits - 32, 0) + 1;
   return std::size_t{1} << std::clamp(64 - high_bits, 0, 30);
 }
@@ -167,7 +172,7 @@ void LaneSearch::run(const Graph& graph, std::span<const NodeId> sources, const 
   }
   const auto last = static_cast<std::uint32_t>(bounds.offset.size() - 1);
   // So high that nothing is higher, so low that adding an arc's length keeps to 32 bits.
-  const Vector highest = Vector{} + (1U << 31);
+  const Vector highest = Vector{} + most_distance;
   for (std::size_t v = 0; v < nodes; ++v) {
     const Vector bound =
         bounds.offset[std::min(bounds.branch_of[v], last)].d + distance_of(bounds.known[v]);

@@ -34,7 +34,8 @@ class LaneSearch {
   };
 
   /// Lowers the bounds to the distances from `sources`, at most one per lane. All these are below
-  /// 2^31 (graph.h). `order` holds all nodes, nearly by distance: the nearer, the faster.
+  /// `most_distance` (partition.h). `order` holds all nodes, nearly by distance: the nearer, the
+  /// faster.
   void run(const Graph& graph, std::span<const NodeId> sources, const Bounds& bounds,
            std::span<const NodeId> order);
 

@@ -134,7 +134,7 @@ void add_compare_command(CLI::App& program) {
   const char* group = "What to compare (lists, separated by commas; all combinations)";
   whole_number(
       command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has"),
-      1, 1024)
+      1, most_threads)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NUMBERS")

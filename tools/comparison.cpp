@@ -10,6 +10,7 @@
 #include "tools/facts_text.h"
 #include "tools/interrupt.h"
 #include "tools/measured_run.h"
+#include "tools/memory_limit.h"
 
 namespace geolloyd {
 namespace {
@@ -53,6 +54,7 @@ Comparison compare(std::vector<Contender> contenders, std::size_t turns, const G
     for (Contender& c : contenders) {
       if (turn > 1 && !is_parallel(c)) continue;
       progress.part(fmt::format("{}, turn {} of {}:", title_of(c), turn, turns));
+      make_room_for_threads(c.threads);
       Scheduler scheduler(c.threads, c.backend);
       const MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds,
                                                options, watcher(progress, seeds.size()));

@@ -57,6 +57,8 @@ struct EmbreeScene {
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene);
+    // Embree throws nothing: without memory it leaves a scene with nothing in it.
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::bad_alloc();
   }
 };
 

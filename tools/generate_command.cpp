@@ -9,6 +9,8 @@
 #include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
 #include "tools/names.h"
 #include "tools/number_option.h"
 #include "tools/output_folder.h"
@@ -51,6 +53,9 @@ void add_generate_command(CLI::App& program) {
   command->callback([arguments] {
     check_mesh_target(arguments->output, {});
     const Shape shape = value_of(shape_names, arguments->shape);
+    if (arguments->triangles <= most_triangles) {  // else there are no ids for them
+      require_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
+    }
     const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
     write_mesh(arguments->output, mesh);
     fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),

@@ -15,6 +15,7 @@ void run_ground_truth(const RelaxArguments& arguments) {
   check_arguments(arguments);
   RunRecord run;
   run.arguments = arguments;
+  run.arguments.ground_truth = true;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments);
   run.relaxation.seeds = prepare(run, scheduler, progress);

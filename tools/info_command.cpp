@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "core/mesh_check.h"
-#include "core/mesh_io.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/stages.h"
 
 namespace geolloyd {
 
@@ -16,7 +16,7 @@ void add_info_command(CLI::App& program) {
   const auto path = std::make_shared<std::filesystem::path>();
   command->add_option("MESH", *path, "PLY, OBJ, OFF or STL file")->type_name("")->required();
   command->callback([path] {
-    const LoadedMesh input = read_mesh(*path);
+    const LoadedMesh input = read_within_limits(*path);
     fmt::print("{}\n{}", path->string(),
                describe(input, check_mesh(input.mesh, find_edges(input.mesh))));
   });

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "tools/build_facts.h"
 #include "tools/commands.h"
+#include "tools/memory_limit.h"
 #include "tools/standard_streams.h"
 
 namespace {
@@ -58,6 +59,7 @@ void run(int argc, char** argv) {
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);
   geolloyd::add_quality_command(program);
+  for (CLI::App* command : program.get_subcommands({})) geolloyd::add_memory_option(*command);
   refuse_empty_values(program);
   try {
     program.parse(argc, argv);
@@ -76,6 +78,7 @@ int main(int argc, char** argv) {
   geolloyd::hold_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is one more thing that cannot be written
   try {
+    geolloyd::limit_memory(geolloyd::available_memory());
     run(argc, argv);
     return 0;
   } catch (const geolloyd::Error& error) {
@@ -83,7 +86,7 @@ int main(int argc, char** argv) {
   } catch (const geolloyd::InterruptedExit&) {
     return status_interrupted;
   } catch (const std::bad_alloc&) {
-    return complain(status_error, "out of memory: use a smaller mesh or a graph with fewer arcs");
+    return complain(status_bad_input, geolloyd::out_of_memory_message());
   } catch (const std::system_error& error) {
     const bool lost = std::ferror(stdout) != 0;  // {fmt} says so with an error of its own
     return lost ? complain(status_bad_input, "standard output: " + std::string(error.what()))

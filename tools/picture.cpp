@@ -77,6 +77,13 @@ void Picture::write(const std::filesystem::path& path, std::span<const PanelImag
   sheet.write(path);
 }
 
+std::size_t count_samples(const Mesh& mesh, const RelaxArguments& arguments, Scheduler& scheduler) {
+  const Outline outline =
+      outline_of(referenced_positions(scheduler, mesh), parse_view(arguments.view));
+  return SampleGrid{arrange(1, false, parse_size(arguments.size), aspect_of(outline)).panel}
+      .count();
+}
+
 void write_picture(const std::filesystem::path& path, const RunRecord& run, Scheduler& scheduler) {
   const Picture picture(run.input.mesh, run.arguments, 1, false, scheduler);
   const std::vector<Colour> colours = colours_of_regions(

@@ -46,6 +46,9 @@ class Picture {
   Scene scene_;
 };
 
+/// How many rays a picture with one panel has: its memory goes by them.
+std::size_t count_samples(const Mesh& mesh, const RelaxArguments& arguments, Scheduler& scheduler);
+
 /// The regions of a finished run, in the colours of tessellation.ply.
 void write_picture(const std::filesystem::path& path, const RunRecord& run, Scheduler& scheduler);
 

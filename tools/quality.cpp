@@ -10,7 +10,10 @@
 #include "parallel/mesh_edges.h"
 #include "parallel/primitives.h"
 #include "tools/hexagonal_energy.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
 #include "tools/site_energy.h"
+#include "tools/stages.h"
 
 namespace geolloyd {
 namespace {
@@ -19,7 +22,7 @@ MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& sch
                ProgressLine& progress) {
   progress.stage("reading " + file.string());
   mesh.file = file;
-  mesh.input = read_mesh(file);
+  mesh.input = read_within_limits(file);
   MeshEdges edges = find_edges(scheduler, mesh.input.mesh);
   mesh.facts = check_mesh(scheduler, mesh.input.mesh, edges);
   mesh.topology = find_topology(mesh.input.mesh, edges);
@@ -47,6 +50,8 @@ Likeness compare(const MeshFile& remesh, const std::filesystem::path& original, 
                  Scheduler& scheduler, ProgressLine& progress) {
   Likeness likeness;
   const MeshEdges edges = load(original, likeness.original, scheduler, progress);
+  require_memory(original.string(),
+                 memory_to_judge(remesh.facts.triangles, likeness.original.facts.triangles));
   require_area(remesh);
   require_area(likeness.original);
   progress.stage("measuring distances");

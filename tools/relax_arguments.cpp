@@ -116,7 +116,7 @@ void add_thread_options(CLI::App& command, RelaxArguments& a) {
 void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
   whole_number(
       command.add_option("--threads", a.threads, "How many (default: all the machine has)"), 1,
-      1024)
+      most_threads)
       ->group(thread_group);
   one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
          backend_names)

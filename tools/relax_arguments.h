@@ -10,6 +10,9 @@
 
 namespace geolloyd {
 
+/// Of --threads: each has memory of its own to work in.
+inline constexpr int most_threads = 1024;
+
 /// What the command line of `relax`, and of its relatives, says, in its own words (names.h).
 struct RelaxArguments {
   std::filesystem::path mesh;

@@ -7,6 +7,8 @@
 #include "tools/commands.h"
 #include "tools/ground_truth.h"
 #include "tools/labels.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
 #include "tools/output_folder.h"
 #include "tools/picture.h"
 #include "tools/remesh.h"
@@ -34,6 +36,9 @@ class Renderer {
   Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels)
       : output_(arguments.output), panels_(panels), scheduler_(make_scheduler(arguments.relax)) {
     run_.arguments = arguments.relax;
+    run_.arguments.picture = arguments.output;
+    run_.arguments.ground_truth =
+        any([](PanelKind kind) { return kind == PanelKind::ground_truth; });
   }
 
   void render() {
@@ -42,6 +47,10 @@ class Renderer {
     } else {
       progress_.stage("reading " + run_.arguments.mesh.string());
       load_mesh(run_, scheduler_);
+      const Mesh& mesh = run_.input.mesh;
+      require_memory(run_.arguments.mesh.string(),
+                     memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
+                                    count_samples(mesh, run_.arguments, scheduler_)));
     }
     progress_.stage("drawing " + output_.string());
     const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), have_captions(panels_),

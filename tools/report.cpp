@@ -102,6 +102,7 @@ Json make_report(const RunRecord& run) {
                        {"remesh", run.seconds.remesh},
                        {"write", run.seconds.write},
                        {"total", run.seconds.total}};
+  report["memory_estimate_bytes"] = run.memory_estimate;
   report["peak_memory_bytes"] = run.peak_memory_bytes;
   report["trace"] = trace_part(relaxation);
   return report;

@@ -1,6 +1,10 @@
 #include "tools/stages.h"
 
+#include <algorithm>
+#include <system_error>
+
 #include "core/components.h"
+#include "core/graph_on.h"
 #include "core/seed_file.h"
 #include "core/seeds.h"
 #include "core/stopwatch.h"
@@ -10,14 +14,54 @@
 #include "parallel/mesh_edges.h"
 #include "parallel/mesh_graph.h"
 #include "tools/measured_run.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
 #include "tools/names.h"
+#include "tools/picture.h"
 
 namespace geolloyd {
+
+LoadedMesh read_within_limits(const std::filesystem::path& path) {
+  std::error_code unknown;  // is for the reader to tell
+  const auto file_size = std::filesystem::file_size(path, unknown);
+  if (!unknown) require_memory(path.string(), memory_to_read(file_size));
+  LoadedMesh loaded = read_mesh(path);
+  require_memory(path.string(),
+                 memory_to_check(loaded.mesh.vertex_count(), loaded.mesh.triangle_count()));
+  return loaded;
+}
+
+namespace {
+
+// Of all there is to come, once the edges are known.
+std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, Scheduler& scheduler) {
+  const RelaxArguments& a = run.arguments;
+  const Mesh& mesh = run.input.mesh;
+  const GraphKind kind = value_of(graph_kind_names, a.graph);
+  RunSize size;
+  size.vertices = mesh.vertex_count();
+  size.triangles = mesh.triangle_count();
+  size.edges = edges.size();
+  size.nodes =
+      (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
+  size.has_triangle_nodes = has_triangles(kind);
+  size.links = count_links(mesh, edges, kind);
+  check_link_count(size.links);
+  size.seeds = std::clamp<std::uint64_t>(a.seeds, 1, size.nodes);
+  size.threads = scheduler.threads();
+  size.has_field = !a.vfield.empty();
+  size.is_reference = value_of(engine_names, a.engine) == EngineKind::reference;
+  size.has_ground_truth = a.ground_truth || a.remesh_vertices == "centroids";
+  if (!a.picture.empty() || !a.frames.empty()) size.samples = count_samples(mesh, a, scheduler);
+  return memory_to_run(size);
+}
+
+}  // namespace
 
 // Edges are arcs to be, so finding them counts as building the graph.
 MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
-  run.input = read_mesh(run.arguments.mesh);
+  run.input = read_within_limits(run.arguments.mesh);
   const Stopwatch finding;
   MeshEdges edges = find_edges(scheduler, run.input.mesh);
   run.seconds.graph = finding.seconds();
@@ -27,6 +71,8 @@ MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
 }
 
 void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges) {
+  run.memory_estimate = estimate_memory(run, edges, scheduler);
+  require_memory(run.arguments.mesh.string(), run.memory_estimate);
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
   MeshGraphOptions options{value_of(graph_kind_names, a.graph), value_of(norm_names, a.norm), {}};
@@ -57,6 +103,7 @@ std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
 }  // namespace
 
 Scheduler make_scheduler(const RelaxArguments& a) {
+  make_room_for_threads(a.threads);
   return Scheduler(a.threads, value_of(backend_names, a.backend));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace geolloyd {
 /// The threads that the command line asks for.
 Scheduler make_scheduler(const RelaxArguments& a);
 
+/// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
+/// the size of the file, then for what comes next in every command, finding its edges.
+LoadedMesh read_within_limits(const std::filesystem::path& path);
+
 /// Reads and checks the mesh.
 MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler);
 
-/// Of the kind that the arguments say.
+/// Of the kind that the arguments say. Throws InvalidInput where the whole run needs more memory
+/// than there is.
 void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges);
 
 /// All that comes before the relaxation: these two, then chooses or reads the first seeds and

@@ -10,17 +10,23 @@
 #include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
 #include "tools/names.h"
 #include "tools/output_folder.h"
+#include "tools/stages.h"
 
 namespace geolloyd {
 namespace {
 
-using Scheme = Mesh (*)(const Mesh& mesh);
+struct Scheme {
+  Mesh (*subdivide)(const Mesh& mesh);
+  std::uint64_t pieces;  // of a triangle
+};
 
 const std::vector<Named<Scheme>> scheme_names = {
-    {"midpoint", subdivide_midpoint},
-    {"barycentric", subdivide_barycentric},
+    {"midpoint", {subdivide_midpoint, 4}},
+    {"barycentric", {subdivide_barycentric, 6}},
 };
 
 struct Arguments {
@@ -48,8 +54,13 @@ void add_subdivide_command(CLI::App& program) {
       ->required();
   command->callback([arguments] {
     check_mesh_target(arguments->output, arguments->mesh);
-    Mesh mesh = read_mesh(arguments->mesh).mesh;
-    for (const std::string& name : arguments->schemes) mesh = value_of(scheme_names, name)(mesh);
+    Mesh mesh = read_within_limits(arguments->mesh).mesh;
+    for (const std::string& name : arguments->schemes) {
+      const Scheme scheme = value_of(scheme_names, name);
+      require_memory(arguments->output.string(),
+                     memory_to_subdivide(mesh.triangle_count(), scheme.pieces));
+      mesh = scheme.subdivide(mesh);
+    }
     write_mesh(arguments->output, mesh);
     fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
                grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));

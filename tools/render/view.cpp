@@ -21,8 +21,8 @@ const std::vector<Named<View>> view_names = {
 };
 
 constexpr double margin = 0.02;  // of the picture's width and height, on each side
-constexpr int least_length = 64;
-constexpr int most_length = 8192;  // nine samples a pixel and their hits fill the memory
+constexpr int least_side = 64;
+constexpr int most_side = 8192;  // nine samples a pixel: 18 GB (memory_estimate.h)
 
 // The two numbers of "3,4" or "3x4", and nothing else.
 template <class Number>
@@ -75,12 +75,12 @@ View parse_view(const std::string& text) {
 Size parse_size(const std::string& text) {
   const bool has_height = text.find('x') != std::string::npos;
   const auto pair = parse_pair<int>(has_height ? text : text + "x0", 'x');
-  const auto is_good = [](int length) { return length >= least_length && length <= most_length; };
+  const auto is_good = [](int length) { return length >= least_side && length <= most_side; };
   if (pair && is_good((*pair)[0]) && (!has_height || is_good((*pair)[1]))) {
     return {(*pair)[0], (*pair)[1]};
   }
   throw InvalidInput("--size " + text + ": give WIDTH or WIDTHxHEIGHT in pixels, each from " +
-                     std::to_string(least_length) + " to " + std::to_string(most_length) +
+                     std::to_string(least_side) + " to " + std::to_string(most_side) +
                      ", such as 1920x1080");
 }
 

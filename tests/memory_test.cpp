@@ -1,0 +1,181 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/program.h"
+#include "tools/memory_estimate.h"
+#include "tools/memory_limit.h"
+
+namespace geolloyd {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;  // they hold memory of their own
+#elif defined(__has_feature)
+constexpr bool is_sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool is_sanitized = false;
+#endif
+
+class AvailableMemory : public testing::Test {
+ protected:
+  void write(const std::string& file, const std::string& text) const {
+    const fs::path path = folder_.path() / file;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+  }
+  [[nodiscard]] std::uint64_t found() const { return available_memory(folder_.path()); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(AvailableMemory, IsNoLimitWhereNothingIsKnown) {
+  EXPECT_EQ(found(), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_GT(available_memory(), 1'000'000U);
+}
+
+TEST_F(AvailableMemory, IsWhatTheMachineHasLeft) {
+  write("proc/meminfo", "MemTotal:  100 kB\nMemFree:  1 kB\nMemAvailable:    5 kB\n");
+  EXPECT_EQ(found(), 5U * 1024);
+}
+
+TEST_F(AvailableMemory, IsTheLeastOfNestedControlGroups) {
+  write("proc/meminfo", "MemAvailable: 8 kB\n");
+  write("proc/self/cgroup", "0::/jobs/one\n");
+  write("sys/fs/cgroup/jobs/one/memory.max", "max\n");
+  EXPECT_EQ(found(), 8U * 1024);
+  write("sys/fs/cgroup/jobs/memory.max", "5000\n");
+  EXPECT_EQ(found(), 5000U);
+  write("sys/fs/cgroup/jobs/memory.current", "3000\n");
+  EXPECT_EQ(found(), 2000U);
+  write("sys/fs/cgroup/jobs/memory.stat", "anon 1\ninactive_file 1500\nactive_file 9\n");
+  EXPECT_EQ(found(), 3500U);
+  write("sys/fs/cgroup/jobs/one/memory.max", "700\n");
+  EXPECT_EQ(found(), 700U);
+  write("sys/fs/cgroup/jobs/one/memory.current", "800\n");
+  EXPECT_EQ(found(), 0U);
+}
+
+TEST_F(AvailableMemory, KnowsTheFirstVersionOfControlGroups) {
+  write("proc/meminfo", "MemAvailable: 8 kB\n");
+  write("proc/self/cgroup", "9:name=systemd:/\n4:cpu,memory:/box\n0::/\n");
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  EXPECT_EQ(found(), 8U * 1024);
+  write("sys/fs/cgroup/memory/box/memory.limit_in_bytes", "4000\n");
+  write("sys/fs/cgroup/memory/box/memory.usage_in_bytes", "1000\n");
+  EXPECT_EQ(found(), 3000U);
+}
+
+// A container sees its own group as the root, whatever its path is called outside.
+TEST_F(AvailableMemory, LooksAtTheRootWhereTheGroupIsNotToBeSeen) {
+  write("proc/self/cgroup", "0::/outside/name\n");
+  write("sys/fs/cgroup/memory.max", "6000\n");
+  EXPECT_EQ(found(), 6000U);
+}
+
+TEST(MemoryText, IsShort) {
+  EXPECT_EQ(memory_text(0), "0 MB");
+  EXPECT_EQ(memory_text(812'300'000), "812 MB");
+  EXPECT_EQ(memory_text(14'230'000'000), "14.2 GB");
+}
+
+TEST(MemoryEstimate, GrowsWithEverythingThatIsAskedFor) {
+  RunSize size;
+  size.vertices = size.nodes = size.seeds = 1'000'000;
+  size.triangles = 2'000'000;
+  size.edges = size.links = 3'000'000;
+  const std::uint64_t plain = memory_to_run(size);
+  EXPECT_GT(plain, memory_to_check(size.vertices, size.triangles));
+  const auto with = [&](auto change) {
+    RunSize more = size;
+    change(more);
+    return memory_to_run(more);
+  };
+  EXPECT_GT(with([](RunSize& s) { s.links *= 4; }), plain);
+  EXPECT_GT(with([](RunSize& s) { s.nodes *= 3; }), plain);
+  EXPECT_GT(with([](RunSize& s) { s.has_ground_truth = true; }), plain);
+  EXPECT_GT(with([](RunSize& s) { s.samples = 100'000'000; }), plain);
+  EXPECT_GT(with([](RunSize& s) { s.threads = 64; }), plain);
+  EXPECT_GT(with([](RunSize& s) { s.seeds = 1; }), plain - 600 * size.seeds);
+}
+
+// Names the figure, and does nothing.
+TEST_F(Program, RefusesWhatDoesNotFitIntoTheMemory) {
+  const Outcome outcome = relax("--seeds 20 --memory-limit 30M");
+  expect_complaint(outcome, "only 30 MB are allowed");
+  EXPECT_NE(outcome.text.find("needs about"), std::string::npos);
+  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_EQ(relax("--seeds 20 --memory-limit 1G").status, 0);
+  expect_complaint(relax("--seeds 20 --memory-limit lots"), "--memory-limit");
+}
+
+TEST_F(Program, EveryCommandHeedsTheMemoryLimit) {
+  const std::string mesh = mesh_.string();
+  const std::string low = " --memory-limit 20M";
+  for (const std::string& command :
+       {"verify " + mesh + " -k 9", "compare " + mesh + " -k 9", "profile " + mesh + " -k 9",
+        "batch " + mesh + " -k 9", "ground-truth " + mesh + " -k 9", "quality " + mesh,
+        "info " + mesh, "render " + mesh + " -o p.png",
+        "subdivide " + mesh + " -s midpoint -o fine.ply", std::string("generate torus -o t.ply")}) {
+    expect_complaint(geolloyd_with(command + low), "only 20 MB are allowed");
+  }
+}
+
+TEST_F(Program, RefusesFilesPicturesAndMeshesThatAreTooLargeBeforeTheWork) {
+  const fs::path large = folder_.path() / "large.ply";
+  std::ofstream(large) << "ply\n";
+  fs::resize_file(large, 5'000'000'000);  // a hole
+  expect_complaint(geolloyd_with("info " + large.string() + " --memory-limit 3G"), "5.0 GB");
+  expect_complaint(geolloyd_with("render " + mesh_.string() + " --size 8192x8192 -o " +
+                                 (folder_.path() / "p.png").string() + " --memory-limit 8G"),
+                   "only 8.0 GB are allowed");
+  const std::string fine = (folder_.path() / "fine.ply").string();
+  expect_complaint(
+      geolloyd_with("generate creature -t 1400000000 -o " + fine + " --memory-limit 8G"),
+      "only 8.0 GB are allowed");
+  std::string schemes;
+  for (int i = 0; i < 12; ++i) schemes += " -s barycentric";
+  expect_complaint(geolloyd_with("subdivide " + mesh_.string() + " -o " + fine + schemes +
+                                 " --memory-limit 60M"),
+                   "only 60 MB are allowed");
+  EXPECT_FALSE(fs::exists(fine));
+}
+
+// The stacks of threads are large, but empty.
+TEST_F(Program, StartsManyThreadsWithLittleMemory) {
+  if (is_sanitized) GTEST_SKIP();
+  for (const std::string backend : {"tbb", "openmp"}) {
+    const Outcome outcome = relax("-k 5 --threads 64 --memory-limit 120M --backend " + backend);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+  }
+}
+
+// No file size warns of it.
+TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
+  if (is_sanitized) GTEST_SKIP();
+  const fs::path endless = folder_.path() / "endless.off";
+  fs::create_symlink("/dev/zero", endless);
+  expect_complaint(geolloyd_with("info " + endless.string() + " --memory-limit 100M"),
+                   "out of memory: more than the 100 MB");
+}
+
+// On a mesh so large that the program itself counts for little.
+TEST_F(Program, HoldsNoMoreMemoryThanEstimatedAndNotMuchLess) {
+  if (is_sanitized) GTEST_SKIP();
+  ASSERT_EQ(geolloyd_with("generate creature -t 200000 -o " + mesh_.string()).status, 0);
+  for (const std::string options :
+       {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed",
+        "vertex --engine reference", "vertex --frontier delta",
+        "triangle --remesh-vertices centroids", "vertex --ground-truth"}) {
+    const Outcome outcome =
+        relax("-k 500 --threads 2 --max-greedy-steps 2 --max-macrosteps 1 -g " + options);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto report = nlohmann::json::parse(read_file(out() / "report.json"));
+    const auto peak = report["peak_memory_bytes"].get<std::uint64_t>();
+    const auto estimate = report["memory_estimate_bytes"].get<std::uint64_t>();
+    EXPECT_LE(peak, estimate) << options;
+    EXPECT_LT(estimate, 2 * peak + 64'000'000) << options;
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd

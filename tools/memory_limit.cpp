@@ -1,0 +1,165 @@
+#include "tools/memory_limit.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "core/errors.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t large = 1'000'000'000;
+
+std::uint64_t limit = unlimited;
+std::uint64_t told = large;
+std::uint64_t held_at_start = 0;
+std::size_t threads = 0;
+
+// The number behind a word at the beginning of a line; files of the kernel are made of these.
+std::optional<std::uint64_t> number_in(const std::filesystem::path& file, const std::string& word) {
+  std::ifstream in(file);
+  std::string first;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream fields(line);
+    std::uint64_t number = 0;
+    if (fields >> first && first == word && fields >> number) return number;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> number_in(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::uint64_t number = 0;
+  if (in >> number) return number;
+  return std::nullopt;  // no such file, or "max"
+}
+
+// What the files of a control group are called.
+struct GroupFiles {
+  const char* limit;
+  const char* usage;
+  const char* reclaimable;  // in memory.stat: pages of files that nobody has touched for a while
+};
+constexpr GroupFiles version_1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
+                                  "total_inactive_file"};
+constexpr GroupFiles version_2 = {"memory.max", "memory.current", "inactive_file"};
+
+// The least of a group and those it is in. A container may see its own group as the root.
+std::uint64_t left_in_groups(const std::filesystem::path& mount, std::filesystem::path group,
+                             const GroupFiles& files) {
+  std::uint64_t least = unlimited;
+  for (group = group.relative_path();; group = group.parent_path()) {
+    const std::filesystem::path folder = mount / group;
+    if (const auto most = number_in(folder / files.limit)) {
+      const std::uint64_t usage = number_in(folder / files.usage).value_or(0);
+      const std::uint64_t cached = number_in(folder / "memory.stat", files.reclaimable).value_or(0);
+      const std::uint64_t held = usage - std::min(usage, cached);
+      least = std::min(least, *most - std::min(*most, held));
+    }
+    if (group.empty()) return least;
+  }
+}
+
+// Lines like "4:memory:/path" and, of version 2, "0::/path".
+std::uint64_t left_in_groups(const std::filesystem::path& root) {
+  std::ifstream in(root / "proc/self/cgroup");
+  std::uint64_t least = unlimited;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::filesystem::path group = line.substr(second + 1);
+    const std::filesystem::path mounts = root / "sys/fs/cgroup";
+    if (controllers == ",,") least = std::min(least, left_in_groups(mounts, group, version_2));
+    if (controllers.find(",memory,") != std::string::npos) {
+      least = std::min(least, left_in_groups(mounts / "memory", group, version_1));
+    }
+  }
+  return least;
+}
+
+// Threads reserve a stack each, and use little of it.
+std::uint64_t room_for_stacks() {
+  rlimit stack{};
+  constexpr rlim_t usual = rlim_t{8} << 20;
+  const bool known = getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur != RLIM_INFINITY;
+  // Embree and the other backend may start as many as there are cores.
+  return (known ? stack.rlim_cur : usual) * (threads + 2 * std::thread::hardware_concurrency());
+}
+
+// Where the system will not have it, there is no such net.
+void limit_data() {
+  rlimit data{};
+  if (getrlimit(RLIMIT_DATA, &data) != 0) return;
+  const std::uint64_t room = held_at_start + room_for_stacks();
+  data.rlim_cur =
+      std::min<rlim_t>(limit < unlimited - room ? limit + room : RLIM_INFINITY, data.rlim_max);
+  setrlimit(RLIMIT_DATA, &data);
+}
+
+}  // namespace
+
+std::uint64_t available_memory(const std::filesystem::path& root) {
+  const auto available = number_in(root / "proc/meminfo", "MemAvailable:");  // in KiB
+  return std::min(available ? *available * 1024 : unlimited, left_in_groups(root));
+}
+
+void limit_memory(std::uint64_t bytes) {
+  limit = bytes;
+  held_at_start = number_in("/proc/self/status", "VmData:").value_or(0) * 1024;
+  limit_data();
+}
+
+void make_room_for_threads(std::size_t count) {
+  threads = std::max(threads, count);
+  limit_data();
+}
+
+void add_memory_option(CLI::App& command) {
+  command
+      .add_option_function<std::uint64_t>(
+          "--memory-limit", limit_memory,
+          "Refuse what needs more memory than this, 8G or 800M (default:\n"
+          "what the machine has left)")
+      ->transform(CLI::Validator(CLI::AsSizeValue(true)).description(""))
+      ->type_name("SIZE");
+}
+
+void require_memory(const std::string& what, std::uint64_t bytes) {
+  if (bytes > limit) {
+    throw InvalidInput(fmt::format(
+        "{}: needs about {} of memory, but only {} are allowed: use a smaller mesh or picture, a "
+        "graph with fewer arcs, or --memory-limit",
+        what, memory_text(bytes), memory_text(limit)));
+  }
+  if (bytes <= told) return;
+  told = bytes;
+  const char* over_progress = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+  fmt::print(stderr, "{}{}: takes up to {} of memory\n", over_progress, what, memory_text(bytes));
+}
+
+std::string out_of_memory_message() {
+  return fmt::format(
+      "out of memory: more than the {} that are allowed are needed: use a smaller mesh or picture, "
+      "a graph with fewer arcs, or --memory-limit",
+      memory_text(limit));
+}
+
+std::string memory_text(std::uint64_t bytes) {
+  if (bytes < large) return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
+  return fmt::format("{:.1f} GB", static_cast<double>(bytes) * 1e-9);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "tools/cli_fwd.h"
+
+namespace geolloyd {
+
+// How much memory the program may hold. The system gives memory away that it does not have, and
+// ends a program that then uses it: so what cannot fit is refused before the work, and what was
+// not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
+
+/// What the system says it can give, bytes: MemAvailable, or less where a control group (version 1
+/// or 2) allows less. `root` is for tests. The largest number where nothing is known.
+std::uint64_t available_memory(const std::filesystem::path& root = "/");
+
+/// Limits this process from now on, instead of any earlier limit.
+void limit_memory(std::uint64_t bytes);
+
+/// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
+void make_room_for_threads(std::size_t count);
+
+/// Adds --memory-limit, which calls that.
+void add_memory_option(CLI::App& command);
+
+/// Throws InvalidInput where `bytes` are more than the limit. Says on standard error, once for each
+/// higher number, that a large run begins.
+void require_memory(const std::string& what, std::uint64_t bytes);
+
+/// What to tell the user when memory has run out.
+std::string out_of_memory_message();
+
+/// "14.2 GB".
+std::string memory_text(std::uint64_t bytes);
+
+}  // namespace geolloyd
