@@ -155,7 +155,7 @@ TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   const fs::path endless = folder_.path() / "endless.off";
   fs::create_symlink("/dev/zero", endless);
   expect_complaint(geolloyd_with("info " + endless.string() + " --memory-limit 100M"),
-                   "out of memory: more than the 100 MB");
+                   "out of memory, of which 100 MB are allowed");
 }
 
 // On a mesh so large that the program itself counts for little.
