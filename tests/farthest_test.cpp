@@ -57,7 +57,7 @@ TEST(Farthest, DistanceInALockedRegionIsNearlyTwiceTheFarthestFreeOne) {
 
 // In lanes, which is how regions of few nodes are searched.
 TEST(Farthest, DistancesInLockedRegionsAreFoundByAllEngines) {
-  for (const NodeId tail : {0, 5}) {
+  for (const NodeId tail : {0U, 5U}) {
     const Graph graph = detour_graph(tail);
     for (const GreedyMode greedy : {GreedyMode::off, GreedyMode::extended}) {
       RelaxationOptions options;

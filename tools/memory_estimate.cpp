@@ -55,10 +55,12 @@ Bytes building_graph(const RunSize& s) {
 // Keys, parents, sums, what a node belongs to; and a copy of the partition in the result.
 Bytes engine_bytes(const RunSize& s) {
   if (s.is_reference) return 80 * s.nodes;
-  // Each thread has a copy of the region it works on: with few seeds, of much of the graph.
+  // Each thread has a copy of the region it works on: with few seeds, of much of the graph. On a
+  // large region all work together, with keys and buckets for it.
   const Bytes at_work = 2 * std::min<Bytes>(s.threads, s.seeds);
   const Bytes copies = 160 * s.nodes + 16 * s.links;
-  return 64 * s.nodes + (at_work < s.seeds ? copies / s.seeds * at_work : copies);
+  return 64 * s.nodes + (at_work < s.seeds ? copies / s.seeds * at_work : copies) +
+         100 * s.nodes / std::max<Bytes>(s.seeds, 1);
 }
 
 // Components, samplers, keys.
@@ -115,7 +117,7 @@ Bytes memory_to_run(const RunSize& s) {
   if (s.samples > 0) {
     most = std::max(most, relaxing + drawing(s.vertices, s.triangles, s.samples));
   }
-  constexpr Bytes per_seed = 600;  // totals, summaries, a vertex of the remesh
+  constexpr Bytes per_seed = 1000;  // totals, summaries, a vertex of the remesh
   return std::max(memory_to_check(s.vertices, s.triangles),
                   base + s.threads * per_thread +
                       with_gaps(mesh_bytes(s.vertices, s.triangles) + most + per_seed * s.seeds));

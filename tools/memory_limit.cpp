@@ -90,6 +90,14 @@ std::uint64_t left_in_groups(const std::filesystem::path& root) {
   return least;
 }
 
+// Of what the shell allows this process (ulimit -v, ulimit -d).
+std::uint64_t left_of(decltype(RLIMIT_DATA) resource, const char* used) {
+  rlimit allowed{};
+  if (getrlimit(resource, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY) return unlimited;
+  const std::uint64_t held = number_in("/proc/self/status", used).value_or(0) * 1024;
+  return allowed.rlim_cur - std::min<std::uint64_t>(allowed.rlim_cur, held);
+}
+
 // Threads reserve a stack each, and use little of it.
 std::uint64_t room_for_stacks() {
   rlimit stack{};
@@ -113,7 +121,8 @@ void limit_data() {
 
 std::uint64_t available_memory(const std::filesystem::path& root) {
   const auto available = number_in(root / "proc/meminfo", "MemAvailable:");  // in KiB
-  return std::min(available ? *available * 1024 : unlimited, left_in_groups(root));
+  return std::min({available ? *available * 1024 : unlimited, left_in_groups(root),
+                   left_of(RLIMIT_AS, "VmSize:"), left_of(RLIMIT_DATA, "VmData:")});
 }
 
 void limit_memory(std::uint64_t bytes) {
@@ -152,8 +161,8 @@ void require_memory(const std::string& what, std::uint64_t bytes) {
 
 std::string out_of_memory_message() {
   return fmt::format(
-      "out of memory: more than the {} that are allowed are needed: use a smaller mesh or picture, "
-      "a graph with fewer arcs, or --memory-limit",
+      "out of memory, of which {} are allowed: use a smaller mesh or picture, a graph with fewer "
+      "arcs, or --memory-limit",
       memory_text(limit));
 }
 

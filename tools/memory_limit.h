@@ -13,7 +13,8 @@ namespace geolloyd {
 // not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
 
 /// What the system says it can give, bytes: MemAvailable, or less where a control group (version 1
-/// or 2) allows less. `root` is for tests. The largest number where nothing is known.
+/// or 2) or the shell (ulimit) allows less. `root` is for tests. The largest number where nothing
+/// is known.
 std::uint64_t available_memory(const std::filesystem::path& root = "/");
 
 /// Limits this process from now on, instead of any earlier limit.
