@@ -75,8 +75,8 @@ class Interruption : public Program {
   }
 
   // Starts it, sends the signal after a random share of `longest`, and returns how it ended.
-  int end_at_random(const std::string& arguments, int signal, double longest,
-                    std::uint64_t n) const {
+  [[nodiscard]] int end_at_random(const std::string& arguments, int signal, double longest,
+                                  std::uint64_t n) const {
     Running running(words_of(arguments), folder_.path() / "text");
     ::usleep(static_cast<useconds_t>(1e6 * longest * random_unit(random_seed, n)));
     running.send(signal);
@@ -190,7 +190,8 @@ TEST_F(Interruption, ResumesOnlyWhatItIsTheCheckpointOf) {
   const double longest = duration_of(command("whole"));
   for (std::uint64_t n = 0; !fs::exists(out("run") / "checkpoint.msgpack"); ++n) {
     ASSERT_LT(n, 50U) << "no signal came in time";
-    end_at_random(command("run"), SIGKILL, longest, n);
+    const int status = end_at_random(command("run"), SIGKILL, longest, n);
+    ASSERT_TRUE(status == 0 || status == -SIGKILL) << status;
   }
   const std::string checkpoint = read_file(out("run") / "checkpoint.msgpack");
   for (const std::string options :

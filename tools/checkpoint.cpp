@@ -75,7 +75,7 @@ const Value& field(const FlatMap& map, const char* name) {
 
 template <class Number>
 std::vector<Number> numbers_in(const FlatMap& map, const char* name) {
-  const Bytes& bytes = field<Bytes>(map, name);
+  const auto& bytes = field<Bytes>(map, name);
   require(bytes.size() % sizeof(Number) == 0);
   std::vector<Number> numbers(bytes.size() / sizeof(Number), 0);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<Number> numbers_in(const FlatMap& map, const char* name) {
 }
 
 std::vector<bool> bits_in(const FlatMap& map, const char* name, std::size_t count) {
-  const Bytes& bytes = field<Bytes>(map, name);
+  const auto& bytes = field<Bytes>(map, name);
   if (bytes.empty()) return {};
   require(bytes.size() == (count + 7) / 8);
   std::vector<bool> bits(count);
