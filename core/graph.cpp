@@ -125,7 +125,7 @@ std::uint32_t to_mass_ticks(double mass, double tick) {
 }
 
 void check_energies(const Graph& graph) {
-  const double farthest = most_length_ticks * graph.tick_length;
+  const double farthest = most_length * graph.tick_length;
   const auto mass = std::accumulate(graph.mass.begin(), graph.mass.end(), std::uint64_t{0});
   if (std::isfinite(farthest * farthest * graph.tick_mass * static_cast<double>(mass))) return;
   throw InvalidInput(

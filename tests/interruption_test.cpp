@@ -24,8 +24,6 @@
 namespace geolloyd {
 namespace {
 
-using Json = nlohmann::json;
-
 const std::set<std::string> result_names = {"regions.csv", "remesh.ply", "report.json", "seeds.csv",
                                             "tessellation.ply"};
 
@@ -44,10 +42,10 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 // What must not depend on when a run was left and by what it was resumed.
-Json course_in(const fs::path& folder) {
-  Json report = Json::parse(read_file(folder / "report.json"));
-  for (Json& step : report["trace"]) step.erase("kernel_seconds");
-  Json course;
+nlohmann::json course_in(const fs::path& folder) {
+  nlohmann::json report = nlohmann::json::parse(read_file(folder / "report.json"));
+  for (nlohmann::json& step : report["trace"]) step.erase("kernel_seconds");
+  nlohmann::json course;
   for (const char* key :
        {"end", "interrupted", "fingerprint", "energy", "steps", "trace", "graph"}) {
     course[key] = report[key];
@@ -92,7 +90,7 @@ class Interruption : public Program {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  void expect_complete(const std::string& name, const Json& expected) const {
+  void expect_complete(const std::string& name, const nlohmann::json& expected) const {
     EXPECT_EQ(names_in(out(name)), result_names);
     EXPECT_EQ(course_in(out(name)), expected);
     EXPECT_EQ(read_file(out(name) / "seeds.csv"), read_file(out("whole") / "seeds.csv"));
@@ -105,7 +103,7 @@ class Interruption : public Program {
 
 TEST_F(Interruption, KilledAgainAndAgainEndsAsIfNeverKilled) {
   const double longest = duration_of(command("whole"));
-  const Json expected = course_in(out("whole"));
+  const nlohmann::json expected = course_in(out("whole"));
   const std::vector<std::string> engines = {"", "--engine reference", "--threads 1",
                                             "--backend openmp --frontier delta",
                                             "--threads 3 --frontier heap"};
@@ -132,7 +130,7 @@ TEST_F(Interruption, KilledAgainAndAgainEndsAsIfNeverKilled) {
 
 TEST_F(Interruption, LeavesNothingOrAMarkedResultThatCanBeResumed) {
   const double longest = duration_of(command("whole"));
-  const Json expected = course_in(out("whole"));
+  const nlohmann::json expected = course_in(out("whole"));
   std::map<int, int> count;
   for (std::size_t run = 0; run < runs(16, 100); ++run) {
     SCOPED_TRACE(run);
@@ -215,7 +213,7 @@ TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
   const std::string mesh = mesh_.string();
   const std::string seeds = " --seeds-file " + (out("whole") / "seeds.csv").string();
   const std::string target = (folder_.path() / "target").string();
-  const auto is_json = [](const fs::path& p) { return Json::accept(read_file(p)); };
+  const auto is_json = [](const fs::path& p) { return nlohmann::json::accept(read_file(p)); };
   const auto is_mesh = [](const fs::path& p) { return read_mesh(p).mesh.triangle_count() > 1000; };
   const auto is_png = [](const fs::path& p) {
     return read_file(p).find("IEND") != std::string::npos;

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "core/file_io.h"
 #include "core/fingerprint.h"
+#include "tools/build_facts.h"
 #include "tools/flat_map.h"
 #include "tools/names.h"
 #include "tools/output_folder.h"
@@ -284,7 +285,7 @@ void CheckpointFile::write(const Checkpoint& checkpoint) {
   const Bytes bytes(text.begin(), text.end());
   write_text_file(path_, encode({{"format", format_name},
                                  {"version", format_version},
-                                 {"program", "geolloyd " GEOLLOYD_VERSION},
+                                 {"program", program_name()},
                                  {"checksum", checksum(bytes)},
                                  {"content", bytes}}));
 }

@@ -6,11 +6,11 @@
 namespace geolloyd {
 namespace {
 
-using Json = nlohmann::json;
+using MessagePack = nlohmann::json;
 
 // Takes what is found as it is found. Refuses maps in maps, so that nothing nests deeper than the
 // stack is, and sets nothing aside before it is there, so that no size needs to be believed.
-class FlatReader final : public nlohmann::json_sax<Json> {
+class FlatReader final : public nlohmann::json_sax<MessagePack> {
  public:
   FlatMap map;
 
@@ -47,9 +47,11 @@ class FlatReader final : public nlohmann::json_sax<Json> {
 };
 
 struct ToJson {
-  Json operator()(const std::vector<std::uint8_t>& bytes) const { return Json::binary(bytes); }
+  MessagePack operator()(const std::vector<std::uint8_t>& bytes) const {
+    return MessagePack::binary(bytes);
+  }
   template <class Value>
-  Json operator()(const Value& value) const {
+  MessagePack operator()(const Value& value) const {
     return value;
   }
 };
@@ -57,16 +59,17 @@ struct ToJson {
 }  // namespace
 
 std::string encode(const FlatMap& map) {
-  Json json = Json::object();
+  MessagePack json = MessagePack::object();
   for (const auto& [name, value] : map) json[name] = std::visit(ToJson{}, value);
   std::string bytes;
-  Json::to_msgpack(json, bytes);
+  MessagePack::to_msgpack(json, bytes);
   return bytes;
 }
 
 std::optional<FlatMap> decode(std::string_view bytes) {
   FlatReader reader;
-  if (!Json::sax_parse(bytes.begin(), bytes.end(), &reader, Json::input_format_t::msgpack)) {
+  if (!MessagePack::sax_parse(bytes.begin(), bytes.end(), &reader,
+                              MessagePack::input_format_t::msgpack)) {
     return std::nullopt;
   }
   return std::move(reader.map);
