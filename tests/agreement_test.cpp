@@ -15,6 +15,7 @@
 #include "core/seeds.h"
 #include "core/shapes.h"
 #include "tests/random_graph.h"
+#include "tests/sanitizers.h"
 
 namespace geolloyd {
 namespace {
@@ -24,7 +25,7 @@ const std::vector<std::unique_ptr<Scheduler>>& schedulers() {
   static const auto all = [] {
     std::vector<std::unique_ptr<Scheduler>> made;
     for (const Backend backend : all_backends) {
-      for (const std::size_t threads : {1, 2, 3, 8}) {
+      for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
         made.push_back(std::make_unique<Scheduler>(threads, backend));
       }
     }
@@ -41,11 +42,7 @@ std::string describe(const Scheduler& scheduler, Frontier frontier) {
 
 // Sanitizers make runs ten times as long: under them one combination in eleven is tried, and the
 // next case tries others.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::size_t stride = 11;
-#else
-constexpr std::size_t stride = 1;
-#endif
+constexpr std::size_t stride = under_sanitizer ? 11 : 1;
 
 // Calls check(scheduler, frontier) for all combinations, until one fails.
 template <class Check>
@@ -176,7 +173,7 @@ TEST(Agreement, OnFewLargeRegions) {
   RelaxationOptions options;
   options.max_greedy_steps = 25;
   options.max_macrosteps = 2;
-  for (const std::size_t count : {1, 2, 3}) {
+  for (const std::size_t count : {1U, 2U, 3U}) {
     const auto seeds = choose_seeds(made.graph, components, SeedInit::random, count, 1);
     expect_agreement_everywhere(made.graph, seeds, options,
                                 std::array{Frontier::delta, Frontier::regions});

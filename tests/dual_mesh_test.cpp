@@ -16,14 +16,11 @@
 #include "core/relaxation.h"
 #include "core/seeds.h"
 #include "core/shapes.h"
+#include "tests/graph_kinds.h"
 #include "tests/random_graph.h"
 
 namespace geolloyd {
 namespace {
-
-constexpr std::array<GraphKind, 5> all_kinds = {GraphKind::vertex, GraphKind::vertex_dense,
-                                                GraphKind::triangle, GraphKind::triangle_dense,
-                                                GraphKind::mixed};
 
 // A mesh with its graph, and what becomes of seeds on it.
 struct Ground {
@@ -45,7 +42,7 @@ struct Ground {
 
   DualisedSeeds repair(const std::vector<NodeId>& seeds, bool keeps_going = true) {
     return repair_dual(
-        mesh_graph, *engine, [this](std::vector<NodeId> others) { return dualise(others); },
+        mesh_graph, *engine, [this](const std::vector<NodeId>& others) { return dualise(others); },
         dualise(seeds), [keeps_going] { return keeps_going; });
   }
 
@@ -218,7 +215,7 @@ TEST_P(Repair, MakesAManifoldOfTheSameTopologyFromAnySeeds) {
                                     tube(20), side_by_side(torus(400, 2), irregular_plane(300, 2))};
   for (const Mesh& mesh : meshes) {
     Ground ground(mesh, GetParam());
-    for (const std::size_t count : {2, 3, 5, 9, 40, 120}) {
+    for (const std::size_t count : {2U, 3U, 5U, 9U, 40U, 120U}) {
       if (count > ground.mesh_graph.graph.node_count() / 2) continue;
       const std::vector<NodeId> seeds = ground.choose(count, count);
       const DualisedSeeds repaired = ground.repair(seeds);
@@ -290,7 +287,7 @@ TEST_P(Repair, SurvivesWhatIsNoManifold) {
 
 TEST_P(Repair, RemediesAreNodesAndNoSeeds) {
   Ground ground(torus(600, 1), GetParam());
-  for (const std::size_t count : {1, 2, 4, 8}) {
+  for (const std::size_t count : {1U, 2U, 4U, 8U}) {
     const DualisedSeeds dualised = ground.dualise(ground.choose(count));
     const std::vector<Remedy> remedies = find_remedies(dualised.surface, dualised.dual);
     EXPECT_EQ(remedies.empty(), dualised.dual.obstacles.empty());

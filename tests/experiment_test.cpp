@@ -8,6 +8,7 @@
 #include "core/kernel_seconds.h"
 #include "core/stopwatch.h"
 #include "tests/program.h"
+#include "tests/sanitizers.h"
 #include "tools/batch.h"
 #include "tools/comparison.h"
 #include "tools/csv.h"
@@ -364,9 +365,7 @@ TEST(Csv, FlattensObjectsAndLeavesNullEmpty) {
 }
 
 TEST(PeakMemory, CanBeForgotten) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "AddressSanitizer keeps what is freed";
-#endif
+  if (under_address_sanitizer) GTEST_SKIP() << "AddressSanitizer keeps what is freed";
   { const std::vector<char> large(std::size_t{100} << 20, 1); }
   const std::uint64_t before = peak_memory_bytes();
   EXPECT_GT(before, std::uint64_t{100} << 20);

@@ -1,34 +1,124 @@
-// Fingerprints that must come out everywhere: any machine, compiler, level of optimisation. A
-// change of the canonical definition, or of a generated mesh, changes them, and nothing else may.
+// The table golden_fingerprints.txt: what must come out everywhere, on any machine, by any compiler
+// at any level of optimisation, from either engine on any number of threads. A change of the
+// canonical definition, or of a generated mesh, changes it, and nothing else may.
 #include <gtest/gtest.h>
 
-#include "core/mesh_graph.h"
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/components.h"
+#include "core/file_io.h"
 #include "core/reference_engine.h"
-#include "core/relaxation.h"
-#include "core/seeds.h"
 #include "core/shapes.h"
+#include "parallel/mesh_graph.h"
+#include "tools/names.h"
 
 namespace geolloyd {
 namespace {
 
-std::uint64_t fingerprint_of(GraphKind kind) {
-  const Mesh mesh = creature(20000, 1);
-  MeshGraphOptions options;
-  options.kind = kind;
-  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
-  const auto seeds =
-      choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest, 100, 1);
-  const auto engine = make_reference_engine(made.graph);
-  return relax(made.graph, *engine, seeds, {}).fingerprint;
+// In the words of the command line: geolloyd generate SHAPE --triangles N, then
+// geolloyd relax --graph G --norm N --init I --seeds K --greedy M.
+struct Golden {
+  std::string shape;
+  std::size_t triangles = 0;
+  std::string graph, norm, init;
+  std::size_t seeds = 0;
+  std::string greedy;
+  std::string fingerprint;
+};
+
+std::ostream& operator<<(std::ostream& out, const Golden& row) {
+  return out << row.shape << ' ' << row.triangles << ' ' << row.graph << ' ' << row.norm << ' '
+             << row.init << ' ' << row.seeds << ' ' << row.greedy << ' ' << row.fingerprint;
 }
 
-TEST(Golden, FingerprintsAreThoseOnRecord) {
-  EXPECT_EQ(fingerprint_of(GraphKind::vertex), 0xa8823d227735104aU);
-  EXPECT_EQ(fingerprint_of(GraphKind::vertex_dense), 0xfd99dbda0ee06e03U);
-  EXPECT_EQ(fingerprint_of(GraphKind::triangle), 0x4617d6a3f5b55650U);
-  EXPECT_EQ(fingerprint_of(GraphKind::triangle_dense), 0x1e5c5b16bd7690f9U);
-  EXPECT_EQ(fingerprint_of(GraphKind::mixed), 0x909f6a3f2fc60961U);
+std::vector<Golden> read_table() {
+  std::istringstream text(read_file(GEOLLOYD_GOLDEN_TABLE));
+  std::vector<Golden> rows;
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    Golden row;
+    std::istringstream words(line);
+    words >> row.shape >> row.triangles >> row.graph >> row.norm >> row.init >> row.seeds >>
+        row.greedy >> row.fingerprint;
+    rows.push_back(row);
+  }
+  return rows;
 }
+
+Mesh make_shape(const Golden& row) {
+  static const std::map<std::string, std::function<Mesh(std::size_t)>> shapes = {
+      {"creature", [](std::size_t n) { return creature(n, 1); }},
+      {"plane", [](std::size_t n) { return irregular_plane(n, 1); }},
+      {"icosphere", [](std::size_t n) { return icosphere(n); }},
+      {"torus", [](std::size_t n) { return torus(n, 1); }},
+      {"cylinder", [](std::size_t n) { return cylinder(n, 1); }},
+  };
+  return shapes.at(row.shape)(row.triangles);
+}
+
+MeshGraphOptions graph_options(const Golden& row) {
+  MeshGraphOptions options;
+  options.kind = value_of(graph_kind_names, row.graph);
+  options.norm = value_of(norm_names, row.norm);
+  return options;
+}
+
+std::vector<NodeId> first_seeds(const Golden& row, const Graph& graph) {
+  return choose_seeds(graph, connected_components(graph), value_of(seed_init_names, row.init),
+                      row.seeds, 1);
+}
+
+// The row with the fingerprint that came out.
+std::string outcome(Golden row, const Graph& graph, Engine& engine) {
+  RelaxationOptions options;
+  options.greedy = value_of(greedy_mode_names, row.greedy);
+  std::ostringstream digits;
+  digits << std::hex << relax(graph, engine, first_seeds(row, graph), options).fingerprint;
+  row.fingerprint = std::string(16 - digits.str().size(), '0') + digits.str();
+  return testing::PrintToString(row);
+}
+
+class GoldenFingerprint : public testing::TestWithParam<Golden> {
+ protected:
+  void SetUp() override {
+    constexpr std::size_t quick = 100'000;
+    if (GetParam().triangles > quick && std::getenv("GEOLLOYD_LONG_TESTS") == nullptr) {
+      GTEST_SKIP() << "over 100,000 triangles: set GEOLLOYD_LONG_TESTS";
+    }
+  }
+};
+
+TEST_P(GoldenFingerprint, OfTheReference) {
+  const Mesh mesh = make_shape(GetParam());
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), graph_options(GetParam()));
+  EXPECT_EQ(outcome(GetParam(), made.graph, *make_reference_engine(made.graph)),
+            testing::PrintToString(GetParam()));
+}
+
+TEST_P(GoldenFingerprint, OfAnyThreadsBackendAndFrontier) {
+  const Mesh mesh = make_shape(GetParam());
+  const MeshEdges edges = find_edges(mesh);
+  for (const Backend backend : {Backend::tbb, Backend::openmp}) {
+    for (const std::size_t threads : {1U, 2U, 7U}) {
+      Scheduler scheduler(threads, backend);
+      const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, graph_options(GetParam()));
+      for (const Frontier frontier : {Frontier::delta, Frontier::regions}) {
+        const auto engine = make_parallel_engine(scheduler, made.graph, frontier);
+        EXPECT_EQ(outcome(GetParam(), made.graph, *engine), testing::PrintToString(GetParam()))
+            << threads << " threads, " << name_of(backend_names, backend) << ", "
+            << name_of(frontier_names, frontier);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, GoldenFingerprint, testing::ValuesIn(read_table()));
 
 }  // namespace
 }  // namespace geolloyd

@@ -7,12 +7,11 @@
 
 #include "core/shapes.h"
 #include "core/subdivide.h"
+#include "tests/graph_kinds.h"
 
 namespace geolloyd {
 namespace {
 
-constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                                  GraphKind::triangle_dense, GraphKind::mixed};
 constexpr std::uint64_t sources = 8;
 
 struct Surface {
@@ -60,7 +59,7 @@ Surface sphere(std::size_t triangles) {
           6 / std::sqrt(static_cast<double>(triangles))};
 }
 
-Surface tube(std::size_t triangles) {
+Surface tube_surface(std::size_t triangles) {
   return {"cylinder", cylinder(triangles, 1),
           [](const Vec3& a, const Vec3& b) {
             const double turn =
@@ -93,7 +92,7 @@ TEST(GraphError, NoGraphHasAShorterWayThanTheSurface) {
 // Facets cut corners: on them distances are shorter than on what they stand for, by some
 // (edge / radius)^2 / 24.
 TEST(GraphError, OnACurvedSurfaceOnlyFacetsMakeWaysShorter) {
-  for (const Surface& surface : {sphere(8'000), tube(8'000)}) {
+  for (const Surface& surface : {sphere(8'000), tube_surface(8'000)}) {
     for (const GraphKind kind : all_kinds) {
       EXPECT_GT(error_of(surface, kind).smallest, -surface.edge * surface.edge / 12)
           << surface.name << ' ' << static_cast<int>(kind);
@@ -145,7 +144,7 @@ TEST(GraphError, StaysWhenMeshesAreRefined) {
                                          {GraphKind::mixed, 0.012, 0.02, 0.07}};
   for (const std::size_t triangles : {5'000U, 20'000U}) {
     expect_errors(plane(triangles), irregular);
-    expect_errors(tube(triangles), irregular);
+    expect_errors(tube_surface(triangles), irregular);
     expect_errors(sphere(triangles), regular);
   }
 }

@@ -12,6 +12,7 @@
 #include "core/mesh_edges.h"
 #include "core/shapes.h"
 #include "parallel/parallel_engine.h"
+#include "tests/graph_kinds.h"
 #include "tests/program.h"
 
 namespace geolloyd {
@@ -88,15 +89,14 @@ void expect_equal_to_brute_force(const Case& c) {
 }
 
 TEST(GroundTruth, IsThatOfBruteForceForAllGraphs) {
-  for (const GraphKind kind : {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                               GraphKind::triangle_dense, GraphKind::mixed}) {
+  for (const GraphKind kind : all_kinds) {
     expect_equal_to_brute_force({creature(4000, 1), kind, every(60, 30)});
     expect_equal_to_brute_force({torus(4000, 2), kind, every(37, 50)});
   }
 }
 
 TEST(GroundTruth, AreasAreThoseOfTheSurfaceWhateverTheNodes) {
-  for (const GraphKind kind : {GraphKind::vertex, GraphKind::triangle, GraphKind::mixed}) {
+  for (const GraphKind kind : all_kinds) {
     const GroundTruth truth = Case(irregular_plane(2000, 3), kind, every(50, 20)).truth();
     double area = 0;
     for (const double a : truth.area) area += a;

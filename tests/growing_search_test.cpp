@@ -34,7 +34,7 @@ TEST(GrowingSearch, InParallelChoosesTheSameSeeds) {
   const Components components = connected_components(made.graph);
   for (const SeedInit init : {SeedInit::farthest, SeedInit::kmeans_plus_plus}) {
     const auto expected = choose_seeds(made.graph, components, init, 300, 5);
-    for (const std::size_t threads : {1, 2, 8}) {
+    for (const std::size_t threads : {1U, 2U, 8U}) {
       Scheduler scheduler(threads);
       ASSERT_EQ(choose_seeds(made.graph, components, init, 300, 5,
                              *make_growing_search(scheduler, made.graph)),

@@ -14,13 +14,13 @@ MeshFacts facts_of(const Mesh& mesh) {
   return check_mesh(mesh, find_edges(mesh));
 }
 
-const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Vec3> square_corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST(MeshEdges, ListEachEdgeOnceWithTheCornersOppositeToIt) {
   //  3---2
   //  | / |
   //  0---1
-  const Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}}};
+  const Mesh mesh{square_corners, {{0, 1, 2}, {0, 2, 3}}};
   const MeshEdges edges = find_edges(mesh);
   EXPECT_EQ(edges.ends,
             (std::vector<std::array<VertexId, 2>>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {2, 3}}));
@@ -36,7 +36,7 @@ TEST(MeshCheck, KnowsASphereATorusAndADisc) {
   EXPECT_EQ(sphere.boundary_edges, 0U);
   EXPECT_EQ(sphere.components, 1U);
   EXPECT_EQ(facts_of(torus(500, 1)).euler_characteristic, 0);
-  const MeshFacts disc = facts_of(Mesh{square, {{0, 1, 2}, {0, 2, 3}}});
+  const MeshFacts disc = facts_of(Mesh{square_corners, {{0, 1, 2}, {0, 2, 3}}});
   EXPECT_EQ(disc.euler_characteristic, 1);
   EXPECT_EQ(disc.boundary_edges, 4U);
   EXPECT_DOUBLE_EQ(disc.area, 1);
@@ -44,13 +44,13 @@ TEST(MeshCheck, KnowsASphereATorusAndADisc) {
 }
 
 TEST(MeshCheck, MeasuresOnlyWhatIsOnTriangles) {
-  Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}}};
+  Mesh mesh{square_corners, {{0, 1, 2}, {0, 2, 3}}};
   mesh.positions.emplace_back(1000, 0, 0);
   EXPECT_DOUBLE_EQ(facts_of(mesh).bounding_diagonal, std::sqrt(2));
 }
 
 TEST(MeshCheck, CountsWhatIsUnusual) {
-  Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}}};
+  Mesh mesh{square_corners, {{0, 1, 2}, {0, 2, 3}}};
   mesh.positions.emplace_back(9, 9, 9);  // 4: of no triangle
   mesh.positions.emplace_back(0, 0, 0);  // 5: at the place of 0
   mesh.positions.emplace_back(0, 0, 1);  // 6
@@ -71,8 +71,8 @@ TEST(MeshCheck, CountsWhatIsUnusual) {
 }
 
 TEST(MeshCheck, CountsEdgesBetweenOppositeOrientations) {
-  EXPECT_EQ(facts_of(Mesh{square, {{0, 1, 2}, {0, 2, 3}}}).inconsistent_edges, 0U);
-  EXPECT_EQ(facts_of(Mesh{square, {{0, 1, 2}, {0, 3, 2}}}).inconsistent_edges, 1U);
+  EXPECT_EQ(facts_of(Mesh{square_corners, {{0, 1, 2}, {0, 2, 3}}}).inconsistent_edges, 0U);
+  EXPECT_EQ(facts_of(Mesh{square_corners, {{0, 1, 2}, {0, 3, 2}}}).inconsistent_edges, 1U);
 }
 
 TEST(MeshCheck, CountsComponents) {
@@ -87,7 +87,7 @@ TEST(MeshCheck, CountsComponents) {
 }
 
 TEST(MeshMeasure, FindsEveryCopyOfATriangle) {
-  Mesh mesh{square, {{0, 1, 2}, {0, 2, 3}, {1, 2, 0}, {2, 1, 0}, {3, 2, 0}}};
+  Mesh mesh{square_corners, {{0, 1, 2}, {0, 2, 3}, {1, 2, 0}, {2, 1, 0}, {3, 2, 0}}};
   EXPECT_EQ(find_edges(mesh).duplicates, (std::vector<TriangleId>{2, 3, 4}));
 }
 

@@ -13,12 +13,10 @@
 #include "core/forest.h"
 #include "core/mesh_measure.h"
 #include "core/shapes.h"
+#include "tests/graph_kinds.h"
 
 namespace geolloyd {
 namespace {
-
-constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                                  GraphKind::triangle_dense, GraphKind::mixed};
 
 MeshGraph make(const Mesh& mesh, GraphKind kind, Norm norm_kind = Norm::geodesic,
                std::vector<TangentSpace> field = {}) {

@@ -13,6 +13,7 @@
 #include "parallel/mesh_check.h"
 #include "parallel/mesh_edges.h"
 #include "parallel/mesh_graph.h"
+#include "tests/graph_kinds.h"
 
 namespace geolloyd {
 namespace {
@@ -74,9 +75,6 @@ std::vector<TangentSpace> swirl(const Mesh& mesh) {
   }
   return field;
 }
-
-constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                                  GraphKind::triangle_dense, GraphKind::mixed};
 
 template <class Body>
 void for_teams(Body&& body) {

@@ -84,7 +84,7 @@ TEST(DeltaStepping, TellsWhichRegionsChanged) {
 }
 
 TEST(Members, AreTheNodesOfEachRegionAscending) {
-  for (const std::size_t threads : {1, 2, 5}) {
+  for (const std::size_t threads : {1U, 2U, 5U}) {
     Scheduler scheduler(threads);
     const Graph graph = random_graph(3, 300);
     const auto seeds = random_nodes(3, 300, 20);

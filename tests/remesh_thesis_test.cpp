@@ -18,6 +18,7 @@
 #include "parallel/mesh_edges.h"
 #include "parallel/mesh_graph.h"
 #include "parallel/parallel_engine.h"
+#include "tests/graph_kinds.h"
 
 namespace geolloyd {
 namespace {
@@ -67,8 +68,7 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
   Scheduler scheduler;
   const MeshEdges edges = find_edges(scheduler, mesh);
   const MeshTopology wanted = find_topology(mesh, edges);
-  for (const GraphKind kind : {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                               GraphKind::triangle_dense, GraphKind::mixed}) {
+  for (const GraphKind kind : all_kinds) {
     const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, {kind, Norm::geodesic, {}});
     const auto engine = make_parallel_engine(scheduler, made.graph);
     const std::vector<std::size_t> counts = is_long ? std::vector<std::size_t>{64, 512, 2048, 8192}

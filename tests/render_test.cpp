@@ -226,7 +226,7 @@ TEST(Painters, GiveTheSameForAnyNumberOfThreads) {
   const auto engine = make_reference_engine(mesh_graph.graph);
   engine->partition(seeds);
   std::vector<Canvas> first;
-  for (const std::size_t threads : {1, 2, 5}) {
+  for (const std::size_t threads : {1U, 2U, 5U}) {
     Scheduler scheduler(threads);
     const Scene scene = scene_of(mesh, "25,15", {200, 160}, scheduler);
     const PartitionView view{mesh_graph, engine->current(), seeds, colours};

@@ -35,7 +35,7 @@ TEST_P(SchedulerTest, CallsEachWorkerOnce) {
 }
 
 TEST_P(SchedulerTest, RangesCoverEverythingOnce) {
-  for (const std::size_t count : {0, 1, 7, 64, 1000}) {
+  for (const std::size_t count : {0U, 1U, 7U, 64U, 1000U}) {
     std::vector<int> visits(count, 0);
     for_ranges(scheduler_, count, 7, [&](std::size_t begin, std::size_t end, std::size_t worker) {
       ASSERT_LT(worker, scheduler_.threads());

@@ -11,7 +11,7 @@ namespace geolloyd {
 namespace {
 
 // A unit square of two triangles, a vertex of no triangle (4), and a triangle apart (5, 6, 7).
-const Mesh mesh{
+const Mesh square_and_more{
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 2, 2}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
     {{0, 1, 2}, {0, 2, 3}, {5, 6, 7}}};
 
@@ -21,7 +21,7 @@ class SeedFile : public testing::Test {
   std::vector<std::uint32_t> read(const std::string& text, GraphKind kind = GraphKind::vertex) {
     MeshGraphOptions options;
     options.kind = kind;
-    const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
+    const MeshGraph made = make_mesh_graph(square_and_more, find_edges(square_and_more), options);
     std::vector<std::uint32_t> ids;
     for (const NodeId s :
          read_seed_file(folder_.write("s.txt", text), made, connected_components(made.graph))) {

@@ -9,6 +9,7 @@
 #include "core/mesh_measure.h"
 #include "core/seeds.h"
 #include "core/shapes.h"
+#include "tests/graph_kinds.h"
 
 namespace geolloyd {
 namespace {
@@ -18,9 +19,6 @@ MeshGraph graph_of(const Mesh& mesh, GraphKind kind) {
   options.kind = kind;
   return make_mesh_graph(mesh, find_edges(mesh), options);
 }
-
-constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
-                                  GraphKind::triangle_dense, GraphKind::mixed};
 
 TEST(SeedPlaces, AreTheTrianglesThemselvesOrOneOfTheirCorners) {
   const Mesh mesh = icosphere(320);

@@ -14,6 +14,7 @@
 
 #include "core/errors.h"
 #include "core/mesh_edges.h"
+#include "tests/doubled_area.h"
 
 namespace geolloyd {
 namespace {
@@ -68,11 +69,6 @@ double signed_volume(const Mesh& mesh) {
     volume += dot(mesh.positions[a], cross(mesh.positions[b], mesh.positions[c])) / 6;
   }
   return volume;
-}
-
-Vec3 doubled_area(const Mesh& mesh, const Triangle& t) {
-  const Vec3& a = mesh.positions[t[0]];
-  return cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
 }
 
 double smallest_angle(const Mesh& mesh, const Triangle& t) {

@@ -11,6 +11,7 @@
 #include "core/mesh_edges.h"
 #include "core/mesh_io.h"
 #include "core/shapes.h"
+#include "tests/doubled_area.h"
 
 namespace geolloyd {
 namespace {
@@ -25,11 +26,6 @@ Mesh fin() {
   mesh.positions = {{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {6, 6, 0}, {9, 3, 3}, {6, 3, -6}};
   mesh.triangles = {{0, 1, 2}, {2, 1, 3}, {1, 4, 3}, {3, 1, 5}};
   return mesh;
-}
-
-Vec3 doubled_area(const Mesh& mesh, const Triangle& t) {
-  const Vec3& a = mesh.positions[t[0]];
-  return cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
 }
 
 // Every triangle of `mesh` lies in `pieces` consecutive ones of `fine`, equal in size, that look

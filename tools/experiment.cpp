@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "tools/build_facts.h"
 #include "tools/csv.h"
 #include "tools/facts_text.h"
 #include "tools/file_group.h"
@@ -35,7 +36,7 @@ void prepare_output(const ExperimentOutput& output, const std::string& name,
 }
 
 Json begin_result(const std::string& command, const RunRecord& run) {
-  return {{"program", "geolloyd " GEOLLOYD_VERSION},
+  return {{"program", program_name()},
           {"command", command},
           {"machine", machine_part()},
           {"mesh",

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <thread>
 
+#include "tools/build_facts.h"
+
 namespace geolloyd {
 namespace {
 
@@ -31,18 +33,12 @@ std::uint64_t memory_bytes() {
          static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-#if defined(__clang__)
-constexpr const char* compiler = "Clang " __clang_version__;
-#else
-constexpr const char* compiler = "GCC " __VERSION__;
-#endif
-
 }  // namespace
 
 Machine this_machine() {
   const utsname names = kernel();
   return {processor_name(), std::thread::hardware_concurrency(), memory_bytes(),
-          fmt::format("{} {}", names.sysname, names.machine), compiler};
+          fmt::format("{} {}", names.sysname, names.machine), compiler_name()};
 }
 
 // Not getrusage: its mark includes what the parent process held.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/errors.h"
+#include "tools/build_facts.h"
 #include "tools/commands.h"
 #include "tools/standard_streams.h"
 
@@ -42,7 +43,8 @@ void run(int argc, char** argv) {
       "Try: geolloyd generate creature -o creature.ply\n"
       "     geolloyd relax creature.ply --seeds 2048 -o result");
   program.name("geolloyd");
-  program.set_version_flag("--version", "geolloyd " GEOLLOYD_VERSION);
+  program.set_version_flag("--version", geolloyd::build_facts_text,
+                           "Version, and what this program was built with");
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   geolloyd::add_relax_command(program);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/build_facts.h"
 #include "tools/facts_text.h"
 #include "tools/report_parts.h"
 #include "tools/text_table.h"
@@ -111,7 +112,7 @@ std::string quality_text(const QualityRecord& record) {
 std::string quality_report(const QualityRecord& record) {
   const MeshFile& remesh = record.remesh;
   Json report;
-  report["program"] = "geolloyd " GEOLLOYD_VERSION;
+  report["program"] = program_name();
   report["remesh"] = mesh_part(remesh.file, remesh.input, remesh.facts);
   report["topology"] = topology_part(remesh.topology);
   report["quality"] = quality_part(record.quality);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/build_facts.h"
 #include "tools/ground_truth_output.h"
 #include "tools/names.h"
 #include "tools/report_parts.h"
@@ -65,7 +66,7 @@ Json remesh_part(const Remesh& remesh) {
 Json make_report(const RunRecord& run) {
   const Relaxation& relaxation = run.relaxation;
   Json report;
-  report["program"] = "geolloyd " GEOLLOYD_VERSION;
+  report["program"] = program_name();
   report["machine"] = machine_part();
   report["input"] = mesh_part(run.arguments.mesh, run.input, run.facts);
   report["options"] = engine_part(run);

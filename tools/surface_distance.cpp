@@ -14,7 +14,7 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::uint64_t random_seed = 1;
+constexpr std::uint64_t sampling_seed = 1;
 
 struct Sums {
   double distances = 0;
@@ -68,7 +68,7 @@ DistanceFigures one_sided(Scheduler& scheduler, const Mesh& from, const Mesh& to
                           std::size_t samples) {
   const ClosestPoint closest(to);
   const Sums sums =
-      sum_over_samples(scheduler, SurfaceSamples(from, samples, random_seed), closest);
+      sum_over_samples(scheduler, SurfaceSamples(from, samples, sampling_seed), closest);
   const auto count = static_cast<double>(samples);
   return {sums.distances / count, std::sqrt(sums.squares / count),
           std::max(sums.largest, largest_of_vertices(scheduler, from, closest))};

@@ -26,7 +26,7 @@ constexpr double border_half_width = 0.6;
 constexpr double least_branch_area = 20;  // square pixels of surface reached by an arc
 constexpr double field_half_width = 1;
 
-Stroke dot(const Vec3& centre, double radius) {
+Stroke disc(const Vec3& centre, double radius) {
   return {centre, centre, radius};
 }
 
@@ -63,10 +63,10 @@ std::vector<Stroke> borders(const Scene& scene, std::span<const RegionId> shown)
     const std::size_t there = grid.index(column + dx, row + dy);
     if (shown[here] == shown[there]) return;
     if (scene.hit[here].triangle == no_id || scene.hit[there].triangle == no_id) return;
-    strokes.push_back(dot({SampleGrid::place(column) + dx * 0.5 / SampleGrid::per_side,
-                           SampleGrid::place(row) + dy * 0.5 / SampleGrid::per_side,
-                           std::min(scene.hit[here].z, scene.hit[there].z)},
-                          border_half_width));
+    strokes.push_back(disc({SampleGrid::place(column) + dx * 0.5 / SampleGrid::per_side,
+                            SampleGrid::place(row) + dy * 0.5 / SampleGrid::per_side,
+                            std::min(scene.hit[here].z, scene.hit[there].z)},
+                           border_half_width));
   };
   for (int row = 0; row + 1 < grid.rows(); ++row) {
     for (int column = 0; column + 1 < grid.columns(); ++column) {
@@ -122,8 +122,8 @@ void draw_dots(std::span<const Vec3> places, double radius, const Colour& colour
   for (const Vec3& place : places) {
     const Vec3 centre = scene.camera(place);
     if (!is_visible(scene, centre)) continue;
-    inner.push_back(dot(centre, radius));
-    outer.push_back(dot(centre, radius + std::min(1.0, 0.4 * radius)));
+    inner.push_back(disc(centre, radius));
+    outer.push_back(disc(centre, radius + std::min(1.0, 0.4 * radius)));
   }
   draw(outer, {rim, 0.9}, scene, canvas, scheduler);
   draw(inner, {colour, 1}, scene, canvas, scheduler);
