@@ -11,13 +11,13 @@
 namespace geolloyd {
 namespace {
 
-const char* const result = nullptr;
+const char* const accepted = nullptr;
 
 struct OddFile {
   const char* name;
   const char* file;
   std::string bytes;
-  const char* complaint;  // or `result`
+  const char* complaint;  // or `accepted`
 
   friend void PrintTo(const OddFile& row, std::ostream* out) { *out << row.name; }
 };
@@ -33,20 +33,20 @@ std::string windows(const std::string& text) {
   return replaced(text, "\n", "\r\n");
 }
 
-const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-const std::string ply =
+const std::string obj_text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string off_text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string ply_text =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-const std::string stl =
+const std::string stl_text =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
     "endloop\nendfacet\nendsolid s\n";
 
 std::string long_line() {
   std::string line = "v 0 0 0";
   for (int i = 0; i < 500'000; ++i) line += " 1";
-  return line + obj.substr(obj.find('\n')) + std::string(1'000'000, '#');
+  return line + obj_text.substr(obj_text.find('\n')) + std::string(1'000'000, '#');
 }
 
 std::string large_polygon() {
@@ -68,48 +68,48 @@ const std::vector<OddFile> odd_files = {
     {"OnlyBlankLines", "a.obj", "\n\n \n", "the file ends without a vertex"},
     {"OnlyZeros", "a.stl", std::string(84, '\0'), "the file ends without a vertex"},
     {"NoFaces", "a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "a point cloud has no surface"},
-    {"OnlyDegenerateTriangles", "a.off", replaced(off, "3 0 1 2", "3 0 0 1"), "nothing to tessellate"},
-    {"NanInObj", "a.obj", replaced(obj, "v 1", "v nan"), "line 2: a coordinate is not finite"},
-    {"NanInPly", "a.ply", replaced(ply, "\n1 0 0", "\n1 NaN 0"), "line 11: a coordinate is not finite"},
-    {"InfInOff", "a.off", replaced(off, "\n1 0", "\n-inf 0"), "line 4: a coordinate is not finite"},
-    {"InfInStl", "a.stl", replaced(stl, "vertex 1", "vertex inf"), "line 5: a coordinate is not finite"},
-    {"BeyondDouble", "a.obj", replaced(obj, "v 1", "v 1e999"), "line 2: "},
-    {"TooLarge", "a.obj", replaced(obj, "v 1", "v 1e76"), "line 2: a coordinate is beyond 1e75; scale"},
+    {"OnlyDegenerateTriangles", "a.off", replaced(off_text, "3 0 1 2", "3 0 0 1"), "nothing to tessellate"},
+    {"NanInObj", "a.obj", replaced(obj_text, "v 1", "v nan"), "line 2: a coordinate is not finite"},
+    {"NanInPly", "a.ply", replaced(ply_text, "\n1 0 0", "\n1 NaN 0"), "line 11: a coordinate is not finite"},
+    {"InfInOff", "a.off", replaced(off_text, "\n1 0", "\n-inf 0"), "line 4: a coordinate is not finite"},
+    {"InfInStl", "a.stl", replaced(stl_text, "vertex 1", "vertex inf"), "line 5: a coordinate is not finite"},
+    {"BeyondDouble", "a.obj", replaced(obj_text, "v 1", "v 1e999"), "line 2: "},
+    {"TooLarge", "a.obj", replaced(obj_text, "v 1", "v 1e76"), "line 2: a coordinate is beyond 1e75; scale"},
     {"TooSmall", "a.obj", "v 0 0 0\nv 1e-76 0 0\nv 0 1e-76 0\nf 1 2 3\n", "smaller than 1e-75; scale it up"},
-    {"IndexZeroInObj", "a.obj", replaced(obj, "f 1", "f 0"), "line 4: expected a vertex index"},
-    {"IndexOneTooLarge", "a.off", replaced(off, "1 2\n", "1 3\n"), "vertex index 3 is out of range"},
-    {"IndexNegative", "a.ply", replaced(ply, "1 2\n", "1 -1\n"), "vertex index -1 is out of range"},
-    {"IndexLargestOf31Bits", "a.obj", replaced(obj, "2 3\n", "2 2147483648\n"), "vertex index 2147483648 is out"},
-    {"IndexLargestOf32Bits", "a.obj", replaced(obj, "2 3\n", "2 4294967295\n"), "vertex index 4294967295 is out"},
-    {"IndexThatWrapsTo3", "a.obj", replaced(obj, "2 3\n", "2 4294967299\n"), "vertex index 4294967299 is out"},
-    {"IndexOf64Bits", "a.off", replaced(off, "1 2\n", "1 9223372036854775807\n"), "9223372036854775807 is out"},
-    {"IndexBeyond64Bits", "a.off", replaced(off, "1 2\n", "1 18446744073709551618\n"), "expected a vertex index"},
-    {"CountsThatTheFileDoesNotKeep", "a.ply", replaced(ply, "face 1", "face 4294967295"), "4294967295 rows of element 'face' are promised"},
-    {"CountsBeyond64Bits", "a.off", replaced(off, "3 1 0", "99999999999999999999 1 0"), "expected the number of vertices"},
-    {"DecimalComma", "a.obj", replaced(obj, "v 1", "v 1,5"), "line 2: expected a coordinate, found '1,5'"},
+    {"IndexZeroInObj", "a.obj", replaced(obj_text, "f 1", "f 0"), "line 4: expected a vertex index"},
+    {"IndexOneTooLarge", "a.off", replaced(off_text, "1 2\n", "1 3\n"), "vertex index 3 is out of range"},
+    {"IndexNegative", "a.ply", replaced(ply_text, "1 2\n", "1 -1\n"), "vertex index -1 is out of range"},
+    {"IndexLargestOf31Bits", "a.obj", replaced(obj_text, "2 3\n", "2 2147483648\n"), "vertex index 2147483648 is out"},
+    {"IndexLargestOf32Bits", "a.obj", replaced(obj_text, "2 3\n", "2 4294967295\n"), "vertex index 4294967295 is out"},
+    {"IndexThatWrapsTo3", "a.obj", replaced(obj_text, "2 3\n", "2 4294967299\n"), "vertex index 4294967299 is out"},
+    {"IndexOf64Bits", "a.off", replaced(off_text, "1 2\n", "1 9223372036854775807\n"), "9223372036854775807 is out"},
+    {"IndexBeyond64Bits", "a.off", replaced(off_text, "1 2\n", "1 18446744073709551618\n"), "expected a vertex index"},
+    {"CountsThatTheFileDoesNotKeep", "a.ply", replaced(ply_text, "face 1", "face 4294967295"), "4294967295 rows of element 'face' are promised"},
+    {"CountsBeyond64Bits", "a.off", replaced(off_text, "3 1 0", "99999999999999999999 1 0"), "expected the number of vertices"},
+    {"DecimalComma", "a.obj", replaced(obj_text, "v 1", "v 1,5"), "line 2: expected a coordinate, found '1,5'"},
     {"Gzip", "a.ply", "\x1f\x8b\x08 and so on", "compressed; gunzip it first"},
-    {"PlyNamedStl", "a.stl", ply + std::string(100, '\n'), "the file ends here, but its header promises"},
-    {"ObjNamedPly", "a.ply", obj, "line 1: expected 'ply', found 'v'"},
-    {"NoExtension", "a", obj, "unknown extension ''"},
-    {"OtherExtension", "a.ply.gz", ply, "unknown extension '.gz'"},
+    {"PlyNamedStl", "a.stl", ply_text + std::string(100, '\n'), "the file ends here, but its header promises"},
+    {"ObjNamedPly", "a.ply", obj_text, "line 1: expected 'ply', found 'v'"},
+    {"NoExtension", "a", obj_text, "unknown extension ''"},
+    {"OtherExtension", "a.ply.gz", ply_text, "unknown extension '.gz'"},
     {"Utf16", "a.obj", std::string("\xff\xfev\0 \0001\0", 8), "the file ends without a vertex"},
-    {"WindowsLineEndsInPly", "a.ply", windows(ply), result},
-    {"WindowsLineEndsInObj", "a.obj", windows(obj), result},
-    {"WindowsLineEndsInOff", "a.off", windows(off), result},
-    {"WindowsLineEndsInStl", "a.stl", windows(stl), result},
-    {"OldMacLineEnds", "a.ply", replaced(ply, "\n", "\r"), result},
-    {"NoLastLineEnd", "a.off", off.substr(0, off.size() - 1), result},
-    {"ByteOrderMark", "a.off", "\xef\xbb\xbf" + off, result},
-    {"Tabs", "a.obj", replaced(obj, " ", "\t \t"), result},
-    {"LongLines", "a.obj", long_line(), result},
-    {"LargePolygon", "a.off", large_polygon(), result},
-    {"CapitalExtension", "A.PLY", ply, result},
-    {"NameWithBlanks", "a b  c .ply", ply, result},
-    {"NameWithOtherAlphabets", "schöne Grüße, 表面.ply", ply, result},
-    {"NameThatIsNotUtf8", "not \xff utf-8.ply", ply, result},
-    {"NameOfTwoLines", "two\nlines.ply", ply, result},
-    {"NameWithQuotesAndDollar", "\"$HOME\" `x`.ply", ply, result},
-    {"NameOfTwoLinesOfABadFile", "two\nlines.ply", obj, "two?lines.ply: line 1"},
+    {"WindowsLineEndsInPly", "a.ply", windows(ply_text), accepted},
+    {"WindowsLineEndsInObj", "a.obj", windows(obj_text), accepted},
+    {"WindowsLineEndsInOff", "a.off", windows(off_text), accepted},
+    {"WindowsLineEndsInStl", "a.stl", windows(stl_text), accepted},
+    {"OldMacLineEnds", "a.ply", replaced(ply_text, "\n", "\r"), accepted},
+    {"NoLastLineEnd", "a.off", off_text.substr(0, off_text.size() - 1), accepted},
+    {"ByteOrderMark", "a.off", "\xef\xbb\xbf" + off_text, accepted},
+    {"Tabs", "a.obj", replaced(obj_text, " ", "\t \t"), accepted},
+    {"LongLines", "a.obj", long_line(), accepted},
+    {"LargePolygon", "a.off", large_polygon(), accepted},
+    {"CapitalExtension", "A.PLY", ply_text, accepted},
+    {"NameWithBlanks", "a b  c .ply", ply_text, accepted},
+    {"NameWithOtherAlphabets", "schöne Grüße, 表面.ply", ply_text, accepted},
+    {"NameThatIsNotUtf8", "not \xff utf-8.ply", ply_text, accepted},
+    {"NameOfTwoLines", "two\nlines.ply", ply_text, accepted},
+    {"NameWithQuotesAndDollar", "\"$HOME\" `x`.ply", ply_text, accepted},
+    {"NameOfTwoLinesOfABadFile", "two\nlines.ply", obj_text, "two?lines.ply: line 1"},
 };
 // clang-format on
 
@@ -122,7 +122,7 @@ TEST_P(OddFiles, BecomeWhatTheTableSays) {
   const fs::path out = folder.path() / "out";
   const Outcome relaxed = geolloyd_with("relax " + file + " -k 1 -o " + out.string());
   const Outcome informed = geolloyd_with("info " + file);
-  if (row.complaint == result) {
+  if (row.complaint == accepted) {
     EXPECT_EQ(relaxed.status, 0) << relaxed.text;
     EXPECT_EQ(informed.status, 0) << informed.text;
     EXPECT_TRUE(fs::exists(out / "report.json"));
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(All, OddFiles, testing::ValuesIn(odd_files),
 // What is left of a file of text may be a smaller mesh: a result, then, or one line.
 TEST_F(Program, TruncatedFilesEndInAResultOrOneLine) {
   const Mesh mesh = read_mesh(mesh_).mesh;
-  std::map<std::string, std::string> files = {{"ascii.ply", ply}, {"ascii.stl", stl}};
+  std::map<std::string, std::string> files = {{"ascii.ply", ply_text}, {"ascii.stl", stl_text}};
   for (const char* name : {"binary.ply", "binary.stl", "a.obj", "a.off"}) {
     write_mesh(folder_.path() / name, mesh);
     files[name] = read_file(folder_.path() / name);

@@ -57,8 +57,9 @@ Mesh triangles_apart(VertexId n) {
   return mesh;
 }
 
-const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-const std::vector<Vec3> star = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+const std::vector<Vec3> square_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Vec3> star_points = {{0, 0, 0}, {0, 0, 1},  {1, 0, 0},
+                                       {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
 
 struct OddMesh {
   const char* name;
@@ -77,12 +78,12 @@ const std::vector<OddMesh> odd_meshes = {
     {"Collinear", {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}}, 2, {"2 triangles without area"}},
     {"Needles", {{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-200, 0}, {0.5, -1e-200, 0}}, {{0, 1, 2}, {0, 3, 1}}}, 2, {"area 0,"}},
     {"DuplicateVertices", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 5, 4}}}, 2, {"2 components"}},
-    {"DuplicateTriangles", {square, {{0, 1, 2}, {0, 1, 2}, {2, 0, 1}, {2, 1, 0}, {0, 2, 3}}}, 2, {"3 duplicate triangles", "area 1,", "NO MANIFOLD"}},
-    {"TrianglesNamingAVertexTwice", {square, {{0, 0, 1}, {0, 1, 2}, {1, 1, 1}}}, 2, {"2 triangles naming a vertex twice", "1 vertices of no triangle"}},
-    {"FlippedOrientation", {square, {{0, 1, 2}, {0, 3, 2}}}, 2, {"1 edges between opposite orientations"}},
-    {"NonManifoldEdge", {star, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}}}, 2, {"1 non-manifold edges", "NO MANIFOLD"}},
-    {"NonManifoldVertex", {star, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}, {0, 4, 5}}}, 2, {"1 vertex where surfaces touch", "NO MANIFOLD"}},
-    {"BowTie", {star, {{0, 2, 3}, {0, 4, 5}}}, 1, {"1 component,", "1 vertex where surfaces touch"}},
+    {"DuplicateTriangles", {square_points, {{0, 1, 2}, {0, 1, 2}, {2, 0, 1}, {2, 1, 0}, {0, 2, 3}}}, 2, {"3 duplicate triangles", "area 1,", "NO MANIFOLD"}},
+    {"TrianglesNamingAVertexTwice", {square_points, {{0, 0, 1}, {0, 1, 2}, {1, 1, 1}}}, 2, {"2 triangles naming a vertex twice", "1 vertices of no triangle"}},
+    {"FlippedOrientation", {square_points, {{0, 1, 2}, {0, 3, 2}}}, 2, {"1 edges between opposite orientations"}},
+    {"NonManifoldEdge", {star_points, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}}}, 2, {"1 non-manifold edges", "NO MANIFOLD"}},
+    {"NonManifoldVertex", {star_points, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}, {0, 4, 5}}}, 2, {"1 vertex where surfaces touch", "NO MANIFOLD"}},
+    {"BowTie", {star_points, {{0, 2, 3}, {0, 4, 5}}}, 1, {"1 component,", "1 vertex where surfaces touch"}},
     {"MoebiusStrip", moebius_strip(20), 2, {"1 edges between opposite orientations", "Euler characteristic 0, 1 boundary loop, manifold"}},
     {"MoebiusStripOfThreeCells", moebius_strip(3), 2, {"Euler characteristic 0"}},
     {"ThousandsOfComponents", triangles_apart(3000), 3003, {"3,000 components", "3,003 from farthest"}},

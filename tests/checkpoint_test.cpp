@@ -15,6 +15,7 @@
 #include "core/reference_engine.h"
 #include "tests/same_relaxation.h"
 #include "tests/temporary_folder.h"
+#include "tools/build_facts.h"
 #include "tools/flat_map.h"
 #include "tools/output_folder.h"
 #include "tools/resumable.h"
@@ -130,9 +131,9 @@ TEST_F(CheckpointTest, IsRefusedWhicheverBitIsWrong) {
   file().write({state(Phase::precise), 1});
   const std::string bytes = read_file(path_);
   // But for those of the program's name, which is for people.
-  const std::size_t program = bytes.find("geolloyd " GEOLLOYD_VERSION);
+  const std::size_t program = bytes.find(program_name());
   for (std::size_t bit = 0; bit < 8 * bytes.size(); bit += 37) {
-    if (bit / 8 >= program && bit / 8 < program + sizeof("geolloyd " GEOLLOYD_VERSION)) continue;
+    if (bit / 8 >= program && bit / 8 < program + program_name().size()) continue;
     std::string wrong = bytes;
     wrong[bit / 8] = static_cast<char>(wrong[bit / 8] ^ 1 << bit % 8);
     write(wrong);

@@ -348,8 +348,8 @@ TEST_F(Program, SubdividesAndInforms) {
 TEST_F(Program, SaysWhatItWasBuiltWith) {
   const std::string facts = geolloyd_with("--version").text;
   EXPECT_EQ(facts.rfind(program_name() + "\n", 0), 0U) << facts;
-  for (const std::string what : {compiler_name(), std::string("-ffp-contract=off"),
-                                 std::string("oneTBB 20"), std::string("Embree ")}) {
+  for (const std::string& what : {compiler_name(), std::string("-ffp-contract=off"),
+                                  std::string("oneTBB 20"), std::string("Embree ")}) {
     EXPECT_NE(facts.find(what), std::string::npos) << facts;
   }
 }

@@ -48,7 +48,7 @@ struct Start {
 };
 
 // That a batch can have so many first seeds.
-void check_count(std::size_t seeds, std::size_t triangles, std::size_t components) {
+void check_first_seeds(std::size_t seeds, std::size_t triangles, std::size_t components) {
   if (seeds < components) {
     throw InvalidInput(fmt::format(
         "{}: first seeds are chosen as triangles, and these are in {} parts that no edge "
@@ -71,7 +71,7 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
   const Components components = connected_components(made.graph);
   std::vector<Start> starts;
   for (const std::size_t k : ladder) {
-    check_count(k, made.graph.node_count(), components.size());
+    check_first_seeds(k, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= a.batches; ++batch) {
       Start start{k, batch, {}};
       for (const NodeId s : choose_seeds(

@@ -15,8 +15,8 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::array<const char*, 3> result_names = {"ground-truth-regions.csv",
-                                                     "ground-truth-seeds.csv", "ground-truth.json"};
+constexpr std::array<const char*, 3> ground_truth_names = {
+    "ground-truth-regions.csv", "ground-truth-seeds.csv", "ground-truth.json"};
 
 Json spread_part(const Spread& spread) {
   return {{"mean", spread.mean()}, {"max", spread.max()}};
@@ -99,12 +99,12 @@ Json ground_truth_part(const GroundTruth& truth) {
 void prepare_ground_truth_output(const RelaxArguments& arguments) {
   if (arguments.output.empty()) return;
   const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
-  prepare_folder(arguments.output, result_names, others);
+  prepare_folder(arguments.output, ground_truth_names, others);
 }
 
 void write_ground_truth(const RunRecord& run) {
   if (run.arguments.output.empty()) return;
-  FileGroup files(run.arguments.output, result_names);
+  FileGroup files(run.arguments.output, ground_truth_names);
   write_regions(run, files[0]);
   write_seeds(run, files[1]);
   files[2].text(json_text(result_of(run)));

@@ -16,9 +16,9 @@ namespace geolloyd {
 namespace {
 
 constexpr const char* checkpoint_name = "checkpoint.msgpack";
-constexpr std::array<const char*, 5> result_names = {"tessellation.ply", "seeds.csv", "regions.csv",
-                                                     "remesh.ply", "report.json"};
-enum ResultFile { tessellation, seeds, regions, remesh, report };
+constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
+                                                    "remesh.ply", "report.json"};
+enum ResultFile { tessellation_place, seeds_place, regions_place, remesh_place, report_place };
 
 void write_seeds(const RunRecord& run, FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");
@@ -53,12 +53,12 @@ std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
 
 void prepare_output(const RelaxArguments& arguments) {
   std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
-  prepare_folder(arguments.output, result_names, others);
+  prepare_folder(arguments.output, relax_names, others);
   check_target(checkpoint_path(arguments), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
   others.push_back(arguments.seeds_file);
-  for (const char* name : result_names) others.push_back(arguments.output / name);
+  for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments));
   check_target(arguments.picture, others);
   if (!arguments.frames.empty() &&
@@ -70,7 +70,7 @@ void prepare_output(const RelaxArguments& arguments) {
 }
 
 FileGroup open_results(const RelaxArguments& arguments) {
-  return {arguments.output, result_names};
+  return {arguments.output, relax_names};
 }
 
 void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler) {
@@ -79,15 +79,16 @@ void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler)
   run_each(
       scheduler,
       [&] {
-        write_labelled_ply(files[tessellation], run.input.mesh, labels.first(vertices),
+        write_labelled_ply(files[tessellation_place], run.input.mesh, labels.first(vertices),
                            labels.subspan(vertices));
       },
-      [&] { write_regions(run, files[regions]); },
-      [&] { write_mesh(files[remesh], run.remesh.mesh); }, [&] { write_seeds(run, files[seeds]); });
+      [&] { write_regions(run, files[regions_place]); },
+      [&] { write_mesh(files[remesh_place], run.remesh.mesh); },
+      [&] { write_seeds(run, files[seeds_place]); });
 }
 
 void write_report(const RunRecord& run, FileGroup& files) {
-  files[report].text(report_text(run));
+  files[report_place].text(report_text(run));
   files.commit();
 }
 
