@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/bounding_box.h"
 #include "core/subdivide.h"
@@ -37,7 +38,7 @@ bool is_too_small(const Mesh& mesh) {
   return widest > 0 && widest < 1 / largest_coordinate;
 }
 
-Mesh make_mesh(Choices& choices, std::size_t vertices, double scale, std::size_t refinement) {
+Mesh make_mesh(Choices& choices, std::size_t vertices, double scale) {
   Mesh mesh;
   for (std::size_t v = 0; v < vertices; ++v)
     mesh.positions.push_back(make_position(choices, scale));
@@ -46,9 +47,7 @@ Mesh make_mesh(Choices& choices, std::size_t vertices, double scale, std::size_t
     for (VertexId& corner : t) corner = static_cast<VertexId>(choices.below(vertices));
     mesh.triangles.push_back(t);
   }
-  return refinement == 0 || is_too_small(mesh)
-             ? mesh
-             : refine(mesh, static_cast<std::uint32_t>(refinement) + 1);
+  return mesh;
 }
 
 Vec3 make_direction(Choices& choices) {
@@ -91,14 +90,16 @@ Soup make_soup(std::span<const std::uint8_t> bytes) {
   soup.backend = team / 4 % 2 == 0 ? Backend::tbb : Backend::openmp;
   soup.frontier = static_cast<Frontier>(team / 8 % 4);
   const double scale = choices.of(scales);
-  const std::size_t refinement = choices.below(3);
+  const auto frequency = static_cast<std::uint32_t>(1 + choices.below(3));
   const std::size_t vertices = 3 + choices.below(most_vertices - 2);
-  soup.mesh = make_mesh(choices, vertices, scale, refinement);
+  Mesh mesh = make_mesh(choices, vertices, scale);
+  if (is_too_small(mesh)) return soup;
+  soup.mesh = frequency == 1 ? std::move(mesh) : refine(mesh, frequency);
   if (field % 4 == 3) {
+    // A field has no bytes of its own, so that the mesh has the same ones with it and without.
     Choices again(bytes.subspan(std::min<std::size_t>(bytes.size(), 2)));
     soup.graph.vertex_space = make_field(again, soup.mesh.vertex_count());
   }
-  if (is_too_small(soup.mesh)) soup.mesh = {};
   return soup;
 }
 

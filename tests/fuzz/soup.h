@@ -13,7 +13,7 @@ namespace geolloyd::fuzz {
 
 /// A small mesh of any kind, and all that is to be decided about what is done with it.
 struct Soup {
-  Mesh mesh;  ///< such as could come from a file (mesh_io.h)
+  Mesh mesh;  ///< such as could come from a file (mesh_io.h); without triangles where none could
   MeshGraphOptions graph;
   std::size_t seeds = 0;  ///< beyond one per component; more than there are nodes: as many
   SeedInit init = SeedInit::random;
@@ -24,7 +24,7 @@ struct Soup {
   Frontier frontier = Frontier::automatic;
 };
 
-/// Bytes: fifteen decisions, then three per vertex, then three per triangle, to the end. Vertices
+/// Bytes: fourteen decisions, then three per vertex, then three per triangle, to the end. Vertices
 /// are on a coarse grid, where points coincide, lie in a line, and are equally far from each other;
 /// a few values stand for tiny and huge coordinates.
 Soup make_soup(std::span<const std::uint8_t> bytes);
