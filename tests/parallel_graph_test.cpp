@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
+#include "bench/same_bytes.h"
 #include "core/errors.h"
 #include "core/shapes.h"
 #include "parallel/mesh_check.h"
@@ -17,15 +16,6 @@
 
 namespace geolloyd {
 namespace {
-
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-bool same_bytes(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 void expect_same(const MeshEdges& a, const MeshEdges& b) {
   EXPECT_TRUE(same_bytes(a.ends, b.ends));
