@@ -28,8 +28,7 @@ inline void add_scores(const Graph& graph, const std::vector<Key>& keys,
   }
 }
 
-static_assert(std::uint64_t{most_distance} * most_distance <
-                  (never_scored / most_mass / most_nodes),
+static_assert(Score{most_distance} * most_distance < (never_scored / most_mass / most_nodes),
               "the score of all nodes at once fits, and is no mark");
 
 /// A score, or a sum of scores, in mesh units: sum of mass * distance^2.

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -116,6 +117,17 @@ TEST_P(GoldenFingerprint, OfAnyThreadsBackendAndFrontier) {
       }
     }
   }
+}
+
+TEST(GoldenTable, HasARowForEachShapeAndGraph) {
+  std::set<std::string> shapes;
+  std::set<std::string> graphs;
+  for (const Golden& row : read_table()) {
+    shapes.insert(row.shape);
+    graphs.insert(row.graph);
+  }
+  EXPECT_EQ(shapes.size(), 5U);
+  EXPECT_EQ(graphs.size(), graph_kind_names.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, GoldenFingerprint, testing::ValuesIn(read_table()));

@@ -260,7 +260,8 @@ TEST_F(Program, TessellatesWhatIsHardlyASurface) {
     mesh_ = folder_.write(name + ".off", "OFF\n4 2 0\n" + text + faces);
     for (const std::string graph :
          {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"}) {
-      const std::string picture = graph == "mixed" ? " --picture " + out("p.png").string() : "";
+      const std::string picture =
+          graph == "mixed" ? " --size 200x200 --picture " + out("p.png").string() : "";
       const Outcome outcome = relax("--seeds 2 -g " + graph + picture);
       EXPECT_EQ(outcome.status, 0) << name << " " << graph << ": " << outcome.text;
       EXPECT_EQ(outcome.text.find("nan"), std::string::npos) << outcome.text;

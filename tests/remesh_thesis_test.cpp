@@ -19,6 +19,7 @@
 #include "parallel/mesh_graph.h"
 #include "parallel/parallel_engine.h"
 #include "tests/graph_kinds.h"
+#include "tests/sanitizers.h"
 
 namespace geolloyd {
 namespace {
@@ -63,7 +64,8 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the thesis's meshes are not here";
   const bool is_long = std::getenv("GEOLLOYD_LONG_TESTS") != nullptr;
   const std::string name = GetParam();
-  if (name == "hippo_hires.ply" && !is_long) GTEST_SKIP() << "set GEOLLOYD_LONG_TESTS to run this";
+  if ((under_sanitizer || name == "hippo_hires.ply") && !is_long)
+    GTEST_SKIP() << "set GEOLLOYD_LONG_TESTS to run this";
   const Mesh mesh = read_mesh(folder / name).mesh;
   Scheduler scheduler;
   const MeshEdges edges = find_edges(scheduler, mesh);

@@ -1,9 +1,9 @@
 # What build_facts.cpp says. The commit changes without a file of ours doing so: configuring depends
-# on git's log of it.
+# on git's log of it. A "+" says that files were not as committed when this was configured.
 set(commit "")
 find_package(Git QUIET)
 if(GIT_FOUND)
-  execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --short HEAD
+  execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --abbrev=7 --exclude=* --dirty=+
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --git-path logs/HEAD
