@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/program.h"
 #include "tests/sanitizers.h"
@@ -152,6 +153,44 @@ TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   expect_complaint(run_shell("yes > " + endless + " & " GEOLLOYD_PROGRAM " info " + endless +
                              " --memory-limit 100M"),
                    "out of memory, of which 100 MB are allowed");
+}
+
+// Runs `command` with as little as it says that it needs, to the next MB.
+Outcome run_with_least_memory(const std::string& command) {
+  std::string limit = "20M";
+  for (int tries = 0;; ++tries) {
+    Outcome outcome = geolloyd_with(command + " --memory-limit " + limit);
+    std::smatch figure;
+    const bool refused =
+        std::regex_search(outcome.text, figure, std::regex("needs about ([0-9]+) MB"));
+    if (!refused || tries == 5) return outcome;
+    limit = std::to_string(std::stoul(figure[1]) + 1) + "M";
+  }
+}
+
+// Embree and the allocator reserve more than they touch, and only that is estimated.
+TEST_F(Program, FinishesWithTheMemoryItAsksFor) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string picture = (folder_.path() / "p.png").string();
+  for (const std::string triangles : {"2000", "60000"}) {
+    const std::string mesh = (folder_.path() / (triangles + ".ply")).string();
+    ASSERT_EQ(geolloyd_with("generate creature -t " + triangles + " -o " + mesh).status, 0);
+    const std::string relax = "relax " + mesh +
+                              " -k 50 --max-greedy-steps 1 --max-macrosteps 1 -o " +
+                              out().string() + " --threads ";
+    for (const std::string& command :
+         {relax + "2", relax + "2 -g vertex-dense", relax + "2 -g triangle",
+          relax + "2 -g triangle-dense", relax + "2 -g mixed", relax + "2 --engine reference",
+          relax + "2 --frontier delta", relax + "1 --ground-truth", relax + "2 --ground-truth",
+          relax + "16 --ground-truth", relax + "2 --backend openmp --ground-truth",
+          relax + "2 -g triangle --remesh-vertices centroids",
+          relax + "2 --picture " + picture + " --size 256",
+          "render " + mesh + " --size 256 -o " + picture, "quality " + mesh,
+          "quality " + mesh + " --original " + mesh}) {
+      const Outcome outcome = run_with_least_memory(command);
+      EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.text;
+    }
+  }
 }
 
 // On a mesh so large that the program itself counts for little.
