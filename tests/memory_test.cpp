@@ -145,14 +145,58 @@ TEST_F(Program, StartsManyThreadsWithLittleMemory) {
   }
 }
 
+// As the shell, OpenMP and TBB have them: the largest counts.
+TEST_F(Program, StartsThreadsWithStacksOfAnySize) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string command = GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
+                              out().string() + " -k 5 --memory-limit 100M --threads ";
+  for (const std::string& started :
+       {"ulimit -S -s 1024; " + command + "64", "ulimit -S -s 65536; " + command + "16",
+        "ulimit -S -s 65536; " + command + "16 --backend openmp",
+        "OMP_STACKSIZE=256M " + command + "16 --backend openmp",
+        "OMP_STACKSIZE=' 65536 ' " + command + "16 --backend openmp"}) {
+    const Outcome outcome = run_shell("{ " + started + "; }");
+    EXPECT_EQ(outcome.status, 0) << started << "\n" << outcome.text;
+  }
+}
+
+TEST_F(Program, RefusesMoreThreadsThanTheShellHasRoomFor) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string command =
+      GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " + out().string() + " -k 5 --threads ";
+  for (const std::string limit : {"ulimit -v 600000; ", "ulimit -d 300000; "}) {
+    for (const std::string backend : {"tbb", "openmp"}) {
+      const std::string rest = " --backend " + backend + "; }";
+      expect_complaint(run_shell("{ " + limit + command + "128" + rest),
+                       "the stacks of 128 threads reserve 1.1 GB");
+      EXPECT_FALSE(fs::exists(out()));
+      const Outcome few = run_shell("{ " + limit + command + "2" + rest);
+      EXPECT_EQ(few.status, 0) << few.text;
+      fs::remove_all(out());
+    }
+  }
+}
+
+// Also of threads that libraries start by themselves.
+TEST_F(Program, EndsWithOneLineWhereTheAddressSpaceEnds) {
+  if (under_sanitizer) GTEST_SKIP();
+  for (int kib = 200'000; kib <= 600'000; kib += 50'000) {
+    const Outcome outcome = run_shell("{ ulimit -v " + std::to_string(kib) +
+                                      "; " GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
+                                      out().string() + " -k 5 --threads 24 --ground-truth; }");
+    if (outcome.status != 0) expect_complaint(outcome, "use fewer");
+  }
+}
+
 // No file size warns of it.
 TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   if (under_sanitizer) GTEST_SKIP();
   const std::string endless = (folder_.path() / "endless.off").string();
   ASSERT_EQ(::mkfifo(endless.c_str(), 0600), 0);
-  expect_complaint(run_shell("yes > " + endless + " & " GEOLLOYD_PROGRAM " info " + endless +
-                             " --memory-limit 100M"),
-                   "out of memory, of which 100 MB are allowed");
+  expect_complaint(
+      run_shell("timeout 60 yes > " + endless + " 2>/dev/null & " GEOLLOYD_PROGRAM " info " +
+                endless + " --memory-limit 100M"),
+      "out of memory, of which 100 MB are allowed");
 }
 
 // Runs `command` with as little as it says that it needs, to the next MB.

@@ -92,12 +92,13 @@ std::uint64_t left_in_groups(const std::filesystem::path& root) {
   return least;
 }
 
-// Of what the shell allows this process (ulimit -v, ulimit -d).
-std::uint64_t left_of(decltype(RLIMIT_DATA) resource, const char* used) {
+// Of what the shell allows this process (ulimit -v, ulimit -d): now, or if it asks for all.
+std::uint64_t left_of(decltype(RLIMIT_DATA) resource, const char* used,
+                      rlim_t rlimit::*which = &rlimit::rlim_cur) {
   rlimit allowed{};
-  if (getrlimit(resource, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY) return unlimited;
+  if (getrlimit(resource, &allowed) != 0 || allowed.*which == RLIM_INFINITY) return unlimited;
   const std::uint64_t held = number_in("/proc/self/status", used).value_or(0) * 1024;
-  return allowed.rlim_cur - std::min<std::uint64_t>(allowed.rlim_cur, held);
+  return allowed.*which - std::min<std::uint64_t>(allowed.*which, held);
 }
 
 // What OpenMP is told, like "16M": KiB without a unit.
@@ -164,6 +165,16 @@ void limit_memory(std::uint64_t bytes) {
 }
 
 void make_room_for_threads(std::size_t count) {
+  if (count == 0) count = std::max(std::thread::hardware_concurrency(), 1U);
+  const std::uint64_t stacks = stack_bytes() * (count - 1);
+  const std::uint64_t left =
+      std::min(left_of(RLIMIT_AS, "VmSize:"), left_of(RLIMIT_DATA, "VmData:", &rlimit::rlim_max));
+  if (stacks > left) {
+    throw InvalidInput(fmt::format(
+        "--threads: the stacks of {} threads reserve {}, but the shell allows only {}: use fewer "
+        "threads, or ulimit -v or -d",
+        count, memory_text(stacks), memory_text(left)));
+  }
   threads = std::max(threads, count);
   limit_data();
 }

@@ -21,6 +21,7 @@ std::uint64_t available_memory(const std::filesystem::path& root = "/");
 void limit_memory(std::uint64_t bytes);
 
 /// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
+/// 0: as many as the machine has. Throws InvalidInput where the shell has no room for them.
 void make_room_for_threads(std::size_t count);
 
 /// Adds --memory-limit, which calls that.
