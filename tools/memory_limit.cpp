@@ -7,12 +7,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "core/errors.h"
@@ -150,6 +153,26 @@ void limit_data() {
   setrlimit(RLIMIT_DATA, &data);
 }
 
+// Makes "8G" a number of bytes. CLI11 by itself reads -1 as a huge one.
+std::string read_size(std::string& text) {
+  constexpr std::string_view prefixes = "KMGT";
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  std::string unit(stop, end);
+  for (char& c : unit) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::size_t power = unit.empty() || unit == "B" ? 0 : prefixes.find(unit[0]) + 1;
+  const std::string rest = power == 0 ? "" : unit.substr(1);
+  bool is_size = error == std::errc() && number > 0 && (unit.empty() || unit == "B" || power > 0) &&
+                 (rest.empty() || rest == "B" || rest == "IB");
+  for (std::size_t i = 0; is_size && i < power; ++i) {
+    is_size = !__builtin_mul_overflow(number, rest == "IB" ? 1024U : 1000U, &number);
+  }
+  if (!is_size) return "'" + text + "': give a whole number of bytes above 0, or like 800M or 8G";
+  text = std::to_string(number);
+  return "";
+}
+
 }  // namespace
 
 std::uint64_t available_memory(const std::filesystem::path& root) {
@@ -185,7 +208,7 @@ void add_memory_option(CLI::App& command) {
           "--memory-limit", limit_memory,
           "Refuse what needs more memory than this, 8G or 800M (default:\n"
           "what the machine has left)")
-      ->transform(CLI::Validator(CLI::AsSizeValue(true)).description(""))
+      ->transform(CLI::Validator(read_size, ""))
       ->type_name("SIZE");
 }
 
