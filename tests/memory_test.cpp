@@ -43,8 +43,13 @@ TEST_F(AvailableMemory, IsTheLeastOfNestedControlGroups) {
   EXPECT_EQ(found(), 5000U);
   write("sys/fs/cgroup/jobs/memory.current", "3000\n");
   EXPECT_EQ(found(), 2000U);
-  write("sys/fs/cgroup/jobs/memory.stat", "anon 1\ninactive_file 1500\nactive_file 9\n");
+  write("sys/fs/cgroup/jobs/memory.stat",
+        "anon 1\ninactive_file 900\nactive_file 500\nslab_reclaimable 100\nslab 7\n");
   EXPECT_EQ(found(), 3500U);
+  write("sys/fs/cgroup/jobs/memory.high", "max\n");
+  EXPECT_EQ(found(), 3500U);
+  write("sys/fs/cgroup/jobs/memory.high", "4000\n");
+  EXPECT_EQ(found(), 2500U);
   write("sys/fs/cgroup/jobs/one/memory.max", "700\n");
   EXPECT_EQ(found(), 700U);
   write("sys/fs/cgroup/jobs/one/memory.current", "800\n");
@@ -59,6 +64,9 @@ TEST_F(AvailableMemory, KnowsTheFirstVersionOfControlGroups) {
   write("sys/fs/cgroup/memory/box/memory.limit_in_bytes", "4000\n");
   write("sys/fs/cgroup/memory/box/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(found(), 3000U);
+  write("sys/fs/cgroup/memory/box/memory.stat",
+        "inactive_file 1\ntotal_inactive_file 300\ntotal_active_file 100\n");
+  EXPECT_EQ(found(), 3400U);
 }
 
 // A container sees its own group as the root, whatever its path is called outside.

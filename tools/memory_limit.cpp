@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -52,13 +54,25 @@ std::optional<std::uint64_t> number_in(const std::filesystem::path& file) {
 
 // What the files of a control group are called.
 struct GroupFiles {
-  const char* limit;
+  std::span<const char* const> limits;
   const char* usage;
-  const char* reclaimable;  // in memory.stat: pages of files that nobody has touched for a while
+  std::span<const char* const> reclaimable;  // in memory.stat: caches, which the system gives up
 };
-constexpr GroupFiles version_1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
-                                  "total_inactive_file"};
-constexpr GroupFiles version_2 = {"memory.max", "memory.current", "inactive_file"};
+constexpr std::array limits_1 = {"memory.limit_in_bytes"};
+constexpr std::array caches_1 = {"total_inactive_file", "total_active_file"};
+constexpr std::array limits_2 = {"memory.max", "memory.high"};
+constexpr std::array caches_2 = {"inactive_file", "active_file", "slab_reclaimable"};
+constexpr GroupFiles version_1 = {limits_1, "memory.usage_in_bytes", caches_1};
+constexpr GroupFiles version_2 = {limits_2, "memory.current", caches_2};
+
+std::uint64_t held_by_group(const std::filesystem::path& folder, const GroupFiles& files) {
+  std::uint64_t cached = 0;
+  for (const char* word : files.reclaimable) {
+    cached += number_in(folder / "memory.stat", word).value_or(0);
+  }
+  const std::uint64_t usage = number_in(folder / files.usage).value_or(0);
+  return usage - std::min(usage, cached);
+}
 
 // The least of a group and those it is in. A container may see its own group as the root.
 std::uint64_t left_in_groups(const std::filesystem::path& mount, std::filesystem::path group,
@@ -66,11 +80,9 @@ std::uint64_t left_in_groups(const std::filesystem::path& mount, std::filesystem
   std::uint64_t least = unlimited;
   for (group = group.relative_path();; group = group.parent_path()) {
     const std::filesystem::path folder = mount / group;
-    if (const auto most = number_in(folder / files.limit)) {
-      const std::uint64_t usage = number_in(folder / files.usage).value_or(0);
-      const std::uint64_t cached = number_in(folder / "memory.stat", files.reclaimable).value_or(0);
-      const std::uint64_t held = usage - std::min(usage, cached);
-      least = std::min(least, *most - std::min(*most, held));
+    for (const char* limit_file : files.limits) {
+      const auto most = number_in(folder / limit_file);
+      if (most) least = std::min(least, *most - std::min(*most, held_by_group(folder, files)));
     }
     if (group.empty()) return least;
   }
