@@ -197,6 +197,17 @@ TEST_F(Program, EndsWithOneLineWhereTheAddressSpaceEnds) {
   }
 }
 
+TEST_F(Program, GivesItsLimitToNoOtherProgram) {
+  const fs::path python = folder_.write("python3", "#!/bin/sh\necho data $(ulimit -S -d) end\n");
+  fs::permissions(python, fs::perms::owner_all);
+  const Outcome expected = run_shell("sh " + python.string());
+  const Outcome outcome =
+      run_shell("PATH=" + folder_.path().string() + ":$PATH " GEOLLOYD_PROGRAM " compare " +
+                mesh_.string() + " -k 5 --turns 1 --memory-limit 200M -o " + out().string());
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find(expected.text), std::string::npos) << outcome.text;
+}
+
 // No file size warns of it.
 TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   if (under_sanitizer) GTEST_SKIP();

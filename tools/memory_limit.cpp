@@ -32,6 +32,7 @@ std::uint64_t limit = unlimited;
 std::uint64_t told = large;
 std::uint64_t held_at_start = 0;
 std::size_t threads = 0;
+std::optional<rlim_t> data_at_start;
 
 // The number behind a word at the beginning of a line; files of the kernel are made of these.
 std::optional<std::uint64_t> number_in(const std::filesystem::path& file, const std::string& word) {
@@ -159,6 +160,7 @@ std::uint64_t room_for_reserves() {
 void limit_data() {
   rlimit data{};
   if (getrlimit(RLIMIT_DATA, &data) != 0) return;
+  if (!data_at_start) data_at_start = data.rlim_cur;
   const std::uint64_t room = held_at_start + room_for_reserves();
   data.rlim_cur =
       std::min<rlim_t>(limit < unlimited - room ? limit + room : RLIM_INFINITY, data.rlim_max);
@@ -211,6 +213,17 @@ void make_room_for_threads(std::size_t count) {
         count, memory_text(stacks), memory_text(left)));
   }
   threads = std::max(threads, count);
+  limit_data();
+}
+
+LiftedMemoryLimit::LiftedMemoryLimit() {
+  rlimit data{};
+  if (!data_at_start || getrlimit(RLIMIT_DATA, &data) != 0) return;
+  data.rlim_cur = *data_at_start;
+  setrlimit(RLIMIT_DATA, &data);
+}
+
+LiftedMemoryLimit::~LiftedMemoryLimit() {
   limit_data();
 }
 
