@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <span>
 #include <vector>
@@ -13,27 +12,6 @@
 #include "parallel/scheduler.h"
 
 namespace geolloyd {
-
-/// Keeps the first exception of several threads, for the one that waits for them.
-class FirstError {
- public:
-  template <class Work>
-  void guard(Work&& work) {
-    try {
-      work();
-    } catch (...) {
-      if (!met_.exchange(true, std::memory_order_acq_rel)) error_ = std::current_exception();
-    }
-  }
-  [[nodiscard]] bool met() const { return met_.load(std::memory_order_relaxed); }
-  void rethrow() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  std::atomic<bool> met_{false};
-  std::exception_ptr error_;
-};
 
 /// Calls body(begin, end, worker) for ranges of at most `grain` that make up [0, count), in no
 /// particular order; whoever is free takes the next. No two calls with the same `worker` run at
@@ -48,17 +26,19 @@ void for_ranges(Scheduler& scheduler, std::size_t count, std::size_t grain, Body
     return;
   }
   std::atomic<std::size_t> next{0};
-  FirstError error;
+  std::atomic<bool> failed{false};
   scheduler.run(workers, [&](std::size_t worker) {
-    error.guard([&] {
-      while (!error.met()) {
+    try {
+      while (!failed.load(std::memory_order_relaxed)) {
         const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);
         if (begin >= count) return;
         body(begin, std::min(begin + grain, count), worker);
       }
-    });
+    } catch (...) {
+      failed.store(true, std::memory_order_relaxed);
+      throw;
+    }
   });
-  error.rethrow();
 }
 
 /// The same, item by item: body(i).

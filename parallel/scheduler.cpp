@@ -1,6 +1,7 @@
 #include "parallel/scheduler.h"
 
 #include <atomic>
+#include <exception>
 #include <thread>
 
 namespace geolloyd {
@@ -12,12 +13,18 @@ struct Job {
   const std::function<void(std::size_t)>& work;
   std::atomic<bool> open{false};
   std::atomic<std::size_t> done{0};
+  std::atomic<bool> has_failed{false};
+  std::exception_ptr error{};  // the first
 };
 
 void enter(void* context, std::size_t worker) {
   Job& job = *static_cast<Job*>(context);
   if (!job.open.load(std::memory_order_acquire)) return;  // never: opened before any thread enters
-  job.work(worker);
+  try {
+    job.work(worker);
+  } catch (...) {
+    if (!job.has_failed.exchange(true)) job.error = std::current_exception();
+  }
   job.done.fetch_add(1, std::memory_order_release);
 }
 
@@ -46,6 +53,7 @@ void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>&
     run_on_openmp(threads_, workers, enter, &job);
   }
   while (job.done.load(std::memory_order_acquire) != workers) std::this_thread::yield();
+  if (job.error) std::rethrow_exception(job.error);
 }
 
 std::vector<std::size_t> thread_ladder() {

@@ -27,8 +27,8 @@ class Scheduler {
 
   /// Calls `work` once with each number in [0, workers), on that many threads as far as these are
   /// free, the caller's among them, and returns when all calls have. `workers` <= threads(). What
-  /// the caller wrote before, they see; what they wrote, the caller sees after. `work` must not
-  /// throw.
+  /// the caller wrote before, they see; what they wrote, the caller sees after. What is
+  /// thrown first reaches the caller, after all calls.
   void run(std::size_t workers, const std::function<void(std::size_t worker)>& work);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/program.h"
 #include "tests/sanitizers.h"
@@ -42,8 +43,13 @@ TEST_F(AvailableMemory, IsTheLeastOfNestedControlGroups) {
   EXPECT_EQ(found(), 5000U);
   write("sys/fs/cgroup/jobs/memory.current", "3000\n");
   EXPECT_EQ(found(), 2000U);
-  write("sys/fs/cgroup/jobs/memory.stat", "anon 1\ninactive_file 1500\nactive_file 9\n");
+  write("sys/fs/cgroup/jobs/memory.stat",
+        "anon 1\ninactive_file 900\nactive_file 500\nslab_reclaimable 100\nslab 7\n");
   EXPECT_EQ(found(), 3500U);
+  write("sys/fs/cgroup/jobs/memory.high", "max\n");
+  EXPECT_EQ(found(), 3500U);
+  write("sys/fs/cgroup/jobs/memory.high", "4000\n");
+  EXPECT_EQ(found(), 2500U);
   write("sys/fs/cgroup/jobs/one/memory.max", "700\n");
   EXPECT_EQ(found(), 700U);
   write("sys/fs/cgroup/jobs/one/memory.current", "800\n");
@@ -58,6 +64,9 @@ TEST_F(AvailableMemory, KnowsTheFirstVersionOfControlGroups) {
   write("sys/fs/cgroup/memory/box/memory.limit_in_bytes", "4000\n");
   write("sys/fs/cgroup/memory/box/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(found(), 3000U);
+  write("sys/fs/cgroup/memory/box/memory.stat",
+        "inactive_file 1\ntotal_inactive_file 300\ntotal_active_file 100\n");
+  EXPECT_EQ(found(), 3400U);
 }
 
 // A container sees its own group as the root, whatever its path is called outside.
@@ -99,8 +108,9 @@ TEST_F(Program, RefusesWhatDoesNotFitIntoTheMemory) {
   expect_complaint(outcome, "only 30 MB are allowed");
   EXPECT_NE(outcome.text.find("needs about"), std::string::npos);
   EXPECT_FALSE(fs::exists(out()));
-  EXPECT_EQ(relax("--seeds 20 --memory-limit 1G").status, 0);
-  expect_complaint(relax("--seeds 20 --memory-limit lots"), "--memory-limit");
+  for (const std::string enough : {"1G", "1gb", "2000MiB", "1000000000", "1000000000b"}) {
+    EXPECT_EQ(relax("--seeds 20 --memory-limit " + enough).status, 0) << enough;
+  }
 }
 
 TEST_F(Program, EveryCommandHeedsTheMemoryLimit) {
@@ -144,14 +154,107 @@ TEST_F(Program, StartsManyThreadsWithLittleMemory) {
   }
 }
 
+// As the shell, OpenMP and TBB have them: the largest counts.
+TEST_F(Program, StartsThreadsWithStacksOfAnySize) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string command = GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
+                              out().string() + " -k 5 --memory-limit 100M --threads ";
+  for (const std::string& started :
+       {"ulimit -S -s 1024; " + command + "64", "ulimit -S -s 65536; " + command + "16",
+        "ulimit -S -s 65536; " + command + "16 --backend openmp",
+        "OMP_STACKSIZE=256M " + command + "16 --backend openmp",
+        "OMP_STACKSIZE=' 65536 ' " + command + "16 --backend openmp"}) {
+    const Outcome outcome = run_shell("{ " + started + "; }");
+    EXPECT_EQ(outcome.status, 0) << started << "\n" << outcome.text;
+  }
+}
+
+TEST_F(Program, RefusesMoreThreadsThanTheShellHasRoomFor) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string command =
+      GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " + out().string() + " -k 5 --threads ";
+  for (const std::string limit : {"ulimit -v 600000; ", "ulimit -d 300000; "}) {
+    for (const std::string backend : {"tbb", "openmp"}) {
+      const std::string rest = " --backend " + backend + "; }";
+      expect_complaint(run_shell("{ " + limit + command + "128" + rest),
+                       "the stacks of 128 threads reserve 1.1 GB");
+      EXPECT_FALSE(fs::exists(out()));
+      const Outcome few = run_shell("{ " + limit + command + "2" + rest);
+      EXPECT_EQ(few.status, 0) << few.text;
+      fs::remove_all(out());
+    }
+  }
+}
+
+// Also of threads that libraries start by themselves.
+TEST_F(Program, DoesNotCrashWhereTheAddressSpaceEnds) {
+  if (under_sanitizer) GTEST_SKIP();
+  for (int kib = 200'000; kib <= 600'000; kib += 50'000) {
+    const Outcome outcome = run_shell("{ ulimit -v " + std::to_string(kib) +
+                                      "; " GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
+                                      out().string() + " -k 5 --threads 24 --ground-truth; }");
+    EXPECT_LT(outcome.status, 3) << outcome.text;  // the shell says 134 of a crash
+  }
+}
+
+TEST_F(Program, GivesItsLimitToNoOtherProgram) {
+  const fs::path python = folder_.write("python3", "#!/bin/sh\necho data $(ulimit -S -d) end\n");
+  fs::permissions(python, fs::perms::owner_all);
+  const Outcome expected = run_shell("sh " + python.string());
+  const Outcome outcome =
+      run_shell("PATH=" + folder_.path().string() + ":$PATH " GEOLLOYD_PROGRAM " compare " +
+                mesh_.string() + " -k 5 --turns 1 --memory-limit 200M -o " + out().string());
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find(expected.text), std::string::npos) << outcome.text;
+}
+
 // No file size warns of it.
 TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
   if (under_sanitizer) GTEST_SKIP();
   const std::string endless = (folder_.path() / "endless.off").string();
   ASSERT_EQ(::mkfifo(endless.c_str(), 0600), 0);
-  expect_complaint(run_shell("yes > " + endless + " & " GEOLLOYD_PROGRAM " info " + endless +
-                             " --memory-limit 100M"),
-                   "out of memory, of which 100 MB are allowed");
+  expect_complaint(
+      run_shell("timeout 60 yes > " + endless + " 2>/dev/null & " GEOLLOYD_PROGRAM " info " +
+                endless + " --memory-limit 100M"),
+      "out of memory, of which 100 MB are allowed");
+}
+
+// Runs `command` with as little as it says that it needs, to the next MB.
+Outcome run_with_least_memory(const std::string& command) {
+  std::string limit = "20M";
+  for (int tries = 0;; ++tries) {
+    Outcome outcome = geolloyd_with(command + " --memory-limit " + limit);
+    std::smatch figure;
+    const bool refused =
+        std::regex_search(outcome.text, figure, std::regex("needs about ([0-9]+) MB"));
+    if (!refused || tries == 5) return outcome;
+    limit = std::to_string(std::stoul(figure[1]) + 1) + "M";
+  }
+}
+
+// Embree and the allocator reserve more than they touch, and only that is estimated.
+TEST_F(Program, FinishesWithTheMemoryItAsksFor) {
+  if (under_sanitizer) GTEST_SKIP();
+  const std::string picture = (folder_.path() / "p.png").string();
+  for (const std::string triangles : {"2000", "60000"}) {
+    const std::string mesh = (folder_.path() / (triangles + ".ply")).string();
+    ASSERT_EQ(geolloyd_with("generate creature -t " + triangles + " -o " + mesh).status, 0);
+    const std::string relax = "relax " + mesh +
+                              " -k 50 --max-greedy-steps 1 --max-macrosteps 1 -o " +
+                              out().string() + " --threads ";
+    for (const std::string& command :
+         {relax + "2", relax + "2 -g vertex-dense", relax + "2 -g triangle",
+          relax + "2 -g triangle-dense", relax + "2 -g mixed", relax + "2 --engine reference",
+          relax + "2 --frontier delta", relax + "1 --ground-truth", relax + "2 --ground-truth",
+          relax + "16 --ground-truth", relax + "2 --backend openmp --ground-truth",
+          relax + "2 -g triangle --remesh-vertices centroids",
+          relax + "2 --picture " + picture + " --size 256",
+          "render " + mesh + " --size 256 -o " + picture, "quality " + mesh,
+          "quality " + mesh + " --original " + mesh}) {
+      const Outcome outcome = run_with_least_memory(command);
+      EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.text;
+    }
+  }
 }
 
 // On a mesh so large that the program itself counts for little.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <numeric>
 #include <ostream>
 #include <stdexcept>
@@ -75,6 +76,19 @@ TEST_P(SchedulerTest, AnErrorInATaskReachesTheCallerAndTheNextWorkGoesOn) {
         sum_ranges<std::size_t>(scheduler_, 1000, 10,
                                 [](std::size_t begin, std::size_t end) { return end - begin; }),
         1000U);
+  }
+}
+
+TEST_P(SchedulerTest, WhatAWorkerThrowsReachesTheCallerOnceAllHaveEnded) {
+  for (int turn = 0; turn < 20; ++turn) {
+    std::vector<int> calls(scheduler_.threads(), 0);
+    EXPECT_THROW(scheduler_.run(scheduler_.threads(),
+                                [&](std::size_t worker) {
+                                  ++calls[worker];
+                                  throw std::bad_alloc();
+                                }),
+                 std::bad_alloc);
+    EXPECT_EQ(calls, std::vector<int>(scheduler_.threads(), 1));
   }
 }
 

@@ -1,9 +1,13 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -25,6 +29,23 @@ int complain(int status, std::string message) {
       message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, '?');
   std::fprintf(stderr, "geolloyd: %s\n", message.c_str());
   return status;
+}
+
+// A library that cannot start a thread throws where nothing may be thrown.
+[[noreturn]] void end_by_exception() {
+  std::string what;
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc& error) {
+    what = error.what();
+  } catch (const std::runtime_error& error) {
+    what = error.what();
+  } catch (...) {
+    std::abort();
+  }
+  if (what.empty()) std::abort();
+  _exit(complain(status_bad_input,
+                 "out of memory or threads: " + what + ": use fewer --threads or a smaller mesh"));
 }
 
 // An empty value is what a script's unset variable leaves, and nobody's wish.
@@ -75,6 +96,7 @@ void run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_by_exception);
   geolloyd::hold_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is one more thing that cannot be written
   try {

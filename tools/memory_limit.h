@@ -21,7 +21,17 @@ std::uint64_t available_memory(const std::filesystem::path& root = "/");
 void limit_memory(std::uint64_t bytes);
 
 /// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
+/// 0: as many as the machine has. Throws InvalidInput where the shell has no room for them.
 void make_room_for_threads(std::size_t count);
+
+/// Other programs started meanwhile have the limits that this one found.
+class LiftedMemoryLimit {
+ public:
+  LiftedMemoryLimit();
+  LiftedMemoryLimit(const LiftedMemoryLimit&) = delete;
+  LiftedMemoryLimit& operator=(const LiftedMemoryLimit&) = delete;
+  ~LiftedMemoryLimit();
+};
 
 /// Adds --memory-limit, which calls that.
 void add_memory_option(CLI::App& command);

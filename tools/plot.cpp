@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "tools/memory_limit.h"
+
 namespace geolloyd {
 namespace {
 
@@ -32,8 +34,10 @@ void draw_plot(const std::filesystem::path& result_file) {
   std::string argument = result_file.string();
   const std::array<char*, 4> arguments = {python.data(), program.data(), argument.data(), nullptr};
   pid_t child = 0;
-  const int error =
-      posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
+  const int error = [&] {
+    const LiftedMemoryLimit lifted;  // it is ours
+    return posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
+  }();
   if (error != 0) {
     std::fprintf(stderr, "no picture: python3: %s\n", std::strerror(error));
     return;
