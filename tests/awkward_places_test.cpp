@@ -96,6 +96,7 @@ const BadPlace bad_places[] = {
     {"OutputFileIsFolderOfBatch", "mkdir -p out/batch.json", "$P batch torus.ply -k 4 -o out", "out/batch.json: cannot write"},
     {"OutputFileIsFolderOfGroundTruth", "mkdir -p out/ground-truth.json", "$P ground-truth torus.ply -k 4 -o out", "out/ground-truth.json: cannot write"},
     {"PictureInNoFolder", ":", "$P relax torus.ply -k 4 -o out --picture no/a.png", "no/a.png: cannot write: No such file"},
+    {"NameOfPictureTooLong", ":", "$P relax torus.ply -k 4 -o out --picture $(printf %0300d 0)", "cannot write: File name too long"},
     {"PictureIsAResult", ":", "$P relax torus.ply -k 4 -o out --picture out/report.json", "would be overwritten"},
     {"PictureIsTheMesh", ":", "$P render torus.ply -o ./torus.ply", "would be overwritten"},
     {"PictureIsTheSeeds", "echo 0 > seeds", "$P relax torus.ply --seeds-file seeds -o out --picture seeds", "would be overwritten"},
@@ -203,6 +204,23 @@ TEST_F(Places, ALostSummaryLosesNoResult) {
   EXPECT_TRUE(fs::exists(out() / "report.json"));
   (void)sh("$P relax torus.ply -k 20 -o pipe | true");
   EXPECT_TRUE(fs::exists(out("pipe") / "report.json"));
+}
+
+TEST_F(Places, ALostPictureLosesNoResult) {
+  ASSERT_EQ(relax("--seeds 20", "whole").status, 0);
+  expect_complaint(sh("ulimit -f 120; $P relax torus.ply -k 20 -o out --picture a.png --size 600"),
+                   "a.png: cannot write: File too large");
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+  EXPECT_TRUE(fs::exists(out() / "report.json"));
+  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply"}) {
+    EXPECT_EQ(read_file(out() / name), read_file(out("whole") / name)) << name;
+  }
+}
+
+TEST_F(Places, APictureMayHaveTheLongestNameThereCanBe) {
+  const std::string name(255, 'x');
+  EXPECT_EQ(sh("$P relax torus.ply -k 4 -o out --size 64 --picture " + name).status, 0);
+  EXPECT_NE(read_file(folder_.path() / name).find("IEND"), std::string::npos);
 }
 
 TEST_F(Places, APipeIsAsGoodAsAFile) {

@@ -90,14 +90,31 @@ TEST(FileIo, LeavesNothingOfAFileWhoseProcessIsKilled) {
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
+std::string temporary_name(int n) {
+  return ".geolloyd-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
+}
+
 TEST(FileIo, WritesWhereAKilledProcessOfTheSameIdLeftItsFile) {
   const TemporaryFolder folder;
-  const fs::path left = folder.write("a.part" + std::to_string(::getpid()), "left");
+  const fs::path left = folder.write(temporary_name(0), "left");
   OutputFile file(folder.path() / "a");
   file.write("new");
   file.commit();
   EXPECT_EQ(read_file(folder.path() / "a"), "new");
-  EXPECT_FALSE(fs::exists(left));
+  EXPECT_EQ(read_file(left), "left");
+  EXPECT_EQ(files_in(folder.path()), 2U);
+}
+
+// The longest name there can be is as good as any; a longer one is refused before all work.
+TEST(FileIo, KnowsWhichNamesThereCanBe) {
+  const TemporaryFolder folder;
+  const fs::path longest = folder.path() / std::string(255, 'x');
+  OutputFile file(longest);
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(read_file(longest), "new");
+  EXPECT_THROW(OutputFile(folder.path() / std::string(256, 'x')), IoError);
+  EXPECT_THROW(OutputFile(longest / "a"), IoError);
 }
 
 TEST(FileIo, GivesFilesTheUsersPermissions) {
@@ -148,7 +165,7 @@ TEST(FileIo, FollowsNoLinkThatBearsTheTemporaryName) {
   const TemporaryFolder folder;
   const fs::path other = folder.write("other", "kept");
   const fs::path path = folder.path() / "a";
-  fs::create_symlink(other, path.string() + ".part" + std::to_string(::getpid()));
+  for (int n = 0; n < 3; ++n) fs::create_symlink(other, folder.path() / temporary_name(n));
   OutputFile file(path);
   file.write("new");
   file.commit();

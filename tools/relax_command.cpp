@@ -151,15 +151,15 @@ void run_relax(const RelaxArguments& arguments) {
   run.labels = label_input_ids(run);
   FileGroup files = open_results(arguments);
   write_results(run, files, scheduler);
-  if (!arguments.picture.empty()) {
-    progress.stage("drawing " + arguments.picture.string());
-    write_picture(arguments.picture, run, scheduler);
-  }
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();
   run.peak_memory_bytes = peak_memory_bytes();
   write_report(run, files);
   if (!run.interrupted) relaxation.forget();
+  if (!arguments.picture.empty()) {  // whatever happens to it, the results are there
+    progress.stage("drawing " + arguments.picture.string());
+    write_picture(arguments.picture, run, scheduler);
+  }
   progress.clear();
   print_summary(run);
   if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
