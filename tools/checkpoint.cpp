@@ -251,7 +251,7 @@ void CheckpointFile::check_course(const FlatMap& content) {
     require(found != content.end());
     if (found->second == expected.at(name)) continue;
     throw InvalidInput(path_.string() + ": is the checkpoint of " + difference +
-                       ": give the same, or start without --resume");
+                       ": give the same, or remove it to begin anew");
   }
 }
 
@@ -269,7 +269,7 @@ Checkpoint CheckpointFile::read() try {
   return checkpoint;
 } catch (const Damaged&) {
   throw InvalidInput(path_.string() +
-                     ": is no checkpoint, or a damaged one: start without --resume");
+                     ": is no checkpoint, or a damaged one: remove it to begin anew");
 }
 
 void CheckpointFile::write(const Checkpoint& checkpoint) {

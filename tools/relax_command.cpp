@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 
 #include <memory>
+#include <system_error>
 
 #include "core/errors.h"
 #include "tools/commands.h"
@@ -120,11 +121,19 @@ void print_summary(const RunRecord& run) {
 void check_relax(const RelaxArguments& arguments) {
   check_arguments(arguments);
   const std::filesystem::path checkpoint = checkpoint_path(arguments);
-  if (arguments.resume && !std::filesystem::exists(checkpoint)) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(checkpoint, error);
+  if (error) throw IoError(checkpoint.string() + ": cannot open: " + error.message());
+  if (arguments.resume && !is_there) {
     throw InvalidInput(checkpoint.string() +
                        ": no such checkpoint to go on from: start without --resume");
   }
 }
+  if (!arguments.resume && is_there) {
+    throw InvalidInput(
+        checkpoint.string() +
+        ": is of an unfinished run: go on with --resume, or remove it to begin anew");
+  }
 
 void run_relax(const RelaxArguments& arguments) {
   check_relax(arguments);

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/errors.h"
@@ -61,9 +62,10 @@ void prepare_output(const RelaxArguments& arguments) {
   for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments));
   check_target(arguments.picture, others);
+  std::error_code error;
   if (!arguments.frames.empty() &&
-      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture).parent_path(),
-                                  arguments.frames)) {
+      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture, error).parent_path(),
+                                  arguments.frames, error)) {
     throw InvalidInput(arguments.picture.string() +
                        ": is in the folder of the frames: give another place");
   }
