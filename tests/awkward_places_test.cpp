@@ -92,6 +92,7 @@ const BadPlace bad_places[] = {
     {"NameOfComparedTooLong", ":", "$P compare torus.ply -k 4 -o $(printf %0300d 0)", "cannot make folder: File name too long"},
     {"NothingToResume", "mkdir out", "$P relax torus.ply -k 4 --resume -o out", "out/checkpoint.msgpack: no such checkpoint"},
     {"UnfinishedRun", "mkdir out; echo x > out/checkpoint.msgpack", "$P relax no.ply -k 4 -o out", "out/checkpoint.msgpack: is of an unfinished run: go on with --resume, or remove it"},
+    {"ResultOverItsSeeds", "$P relax torus.ply -k 4 -o out >log", "$P relax torus.ply --seeds-file out/seeds.csv -o out", "out/seeds.csv: would be overwritten"},
     {"OutputFileIsAFolder", "mkdir -p out/report.json", "$P relax torus.ply -k 4 -o out", "out/report.json: cannot write: Is a directory"},
     {"OutputFileIsADevice", "mkdir out; ln -s /dev/full out/seeds.csv", "$P relax torus.ply -k 4 -o out", "out/seeds.csv: cannot write: not a regular file"},
     {"OutputFileIsAPipe", "mkfifo a.png", "$P render torus.ply -o a.png", "a.png: cannot write: not a regular file"},

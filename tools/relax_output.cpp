@@ -53,12 +53,12 @@ std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
 }
 
 void prepare_output(const RelaxArguments& arguments) {
-  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
+  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield,
+                                               arguments.seeds_file};
   prepare_folder(arguments.output, relax_names, others);
   check_target(checkpoint_path(arguments), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
-  others.push_back(arguments.seeds_file);
   for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments));
   check_target(arguments.picture, others);
