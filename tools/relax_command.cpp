@@ -11,6 +11,7 @@
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
+#include "tools/number_option.h"
 #include "tools/picture.h"
 #include "tools/progress.h"
 #include "tools/relax_output.h"
@@ -128,12 +129,12 @@ void check_relax(const RelaxArguments& arguments) {
     throw InvalidInput(checkpoint.string() +
                        ": no such checkpoint to go on from: start without --resume");
   }
-}
   if (!arguments.resume && is_there) {
     throw InvalidInput(
         checkpoint.string() +
         ": is of an unfinished run: go on with --resume, or remove it to begin anew");
   }
+}
 
 void run_relax(const RelaxArguments& arguments) {
   check_relax(arguments);
@@ -198,9 +199,9 @@ void add_relax_command(CLI::App& program) {
                     "Judge the result by the regions of Euclidean distance");
   command
       ->add_option("--checkpoint", arguments->checkpoint_seconds,
-                   "At least so many seconds are between two checkpoints, of which the\n"
-                   "last one is in the folder until the work is done")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+                   "Write a checkpoint every so many seconds (0: after each step), from\n"
+                   "which --resume goes on; it goes when the work is done")
+      ->check(CLI::Validator(complaint_about_seconds, ""))
       ->type_name("SECONDS")
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,
