@@ -108,6 +108,14 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::sync() {
+  const bool is_written = std::fflush(file_.get()) == 0;
+  // EINVAL: there is no disk to bring it to.
+  if (!is_written || (::fdatasync(::fileno(file_.get())) != 0 && errno != EINVAL)) {
+    fail(path_, "cannot write", errno);
+  }
+}
+
 void OutputFile::finish() {
   if (!file_) return;
   // Over a network it may be only when a file is closed that the disk turns out to be full; one

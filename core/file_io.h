@@ -25,6 +25,9 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view bytes);
+  /// Brings to the disk what was written. Where that is all, even a loss of power leaves the old
+  /// file or the new one.
+  void sync();
   /// Nothing is written after this.
   void finish();
   /// Finishes, if that has not been done.

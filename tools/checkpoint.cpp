@@ -13,7 +13,6 @@
 #include "tools/build_facts.h"
 #include "tools/flat_map.h"
 #include "tools/names.h"
-#include "tools/output_folder.h"
 
 namespace geolloyd {
 namespace {
@@ -283,11 +282,14 @@ void CheckpointFile::write(const Checkpoint& checkpoint) {
   put_steps(content, state.steps);
   const std::string text = encode(content);
   const Bytes bytes(text.begin(), text.end());
-  write_text_file(path_, encode({{"format", format_name},
-                                 {"version", format_version},
-                                 {"program", program_name()},
-                                 {"checksum", checksum(bytes)},
-                                 {"content", bytes}}));
+  OutputFile file(path_);
+  file.write(encode({{"format", format_name},
+                     {"version", format_version},
+                     {"program", program_name()},
+                     {"checksum", checksum(bytes)},
+                     {"content", bytes}}));
+  file.sync();
+  file.commit();
 }
 
 }  // namespace geolloyd
