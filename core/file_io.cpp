@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <system_error>
 #include <utility>
 
@@ -75,8 +76,10 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
-OutputFile::OutputFile(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(path_.string() + ".part" + std::to_string(::getpid())) {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+  // Too long, say: the file would be lost when it is to have its name.
+  struct stat status {};
+  if (::lstat(path_.c_str(), &status) != 0 && errno != ENOENT) fail(path_, "cannot write", errno);
   std::error_code ignored;
   if (std::filesystem::is_directory(path_, ignored)) fail(path_, "cannot write", EISDIR);
   // A rename would put a plain file in the place of a device or a pipe.
@@ -86,11 +89,10 @@ OutputFile::OutputFile(std::filesystem::path path)
   }
   file_.reset(open_unnamed(path_.parent_path()));
   if (file_) return;
-  // A new file always: where others may write, they may have put a link there.
-  std::filesystem::remove(temporary_, ignored);
-  file_.reset(std::fopen(temporary_.c_str(), "wbex"));
-  if (!file_) fail(path_, "cannot write", errno);
-  has_name_ = true;
+  make_temporary([&] {
+    file_.reset(std::fopen(temporary_.c_str(), "wbex"));
+    return file_ != nullptr;
+  });
 }
 
 OutputFile::~OutputFile() {
@@ -106,6 +108,14 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::sync() {
+  const bool is_written = std::fflush(file_.get()) == 0;
+  // EINVAL: there is no disk to bring it to.
+  if (!is_written || (::fdatasync(::fileno(file_.get())) != 0 && errno != EINVAL)) {
+    fail(path_, "cannot write", errno);
+  }
+}
+
 void OutputFile::finish() {
   if (!file_) return;
   // Over a network it may be only when a file is closed that the disk turns out to be full; one
@@ -116,20 +126,28 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
-  if (!has_name_) take_name();
+  // No file can be linked over another, but any can be renamed over one.
+  if (!has_name_) {
+    make_temporary([&] {
+      return ::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD,
+                      temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    });
+  }
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
   has_name_ = false;
   file_.reset();
 }
 
-// No file can be linked over another, but any can be renamed over one.
-void OutputFile::take_name() {
-  ::unlink(temporary_.c_str());  // left by a process of the same id that was killed right here
-  if (::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD, temporary_.c_str(),
-               AT_SYMLINK_FOLLOW) != 0) {
-    fail(path_, "cannot write", errno);
+// Under a name that nothing bears: one may be left by a process of the same id that was killed,
+// and where others may write, they may have put a link there.
+template <class Make>
+void OutputFile::make_temporary(const Make& make) {
+  const std::string begin = ".geolloyd-" + std::to_string(::getpid()) + "-";
+  for (std::uint64_t n = 0; !has_name_; ++n) {
+    temporary_ = path_.parent_path() / (begin + std::to_string(n) + ".part");
+    has_name_ = make();
+    if (!has_name_ && errno != EEXIST) fail(path_, "cannot write", errno);
   }
-  has_name_ = true;
 }
 
 }  // namespace geolloyd

@@ -13,9 +13,10 @@ namespace geolloyd {
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
-/// nothing is left of it however the program ends; on a file system that has no such files, a
-/// temporary name beside `path`, and is removed with the object. Complete after finish(). Throws
-/// IoError; also where `path` is a folder, a device or a pipe.
+/// nothing is left of it however the program ends, but for a moment in commit(); on a file system
+/// that has no such files, a temporary name beside `path`, .geolloyd-PROCESS-N.part, and is removed
+/// with the object. Complete after finish(). Throws IoError; also where `path` is a folder, a
+/// device or a pipe, or can be no name.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -24,13 +25,17 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view bytes);
+  /// Brings to the disk what was written. Where that is all, even a loss of power leaves the old
+  /// file or the new one.
+  void sync();
   /// Nothing is written after this.
   void finish();
   /// Finishes, if that has not been done.
   void commit();
 
  private:
-  void take_name();
+  template <class Make>
+  void make_temporary(const Make& make);
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -89,9 +89,9 @@ using Boundary = std::function<void(const RelaxationState&)>;
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
                  const RelaxationOptions& options, const Observer& observer = {});
 
-/// The same from any state of it, with the same seeds at first and the same options but for the
-/// limits: course, result and fingerprint are those of a relaxation never left. `state`, which at
-/// first need not hold more than seeds, becomes that after the last step taken to its end.
+/// The same from any state of it, with the same seeds at first and the same options: course, result
+/// and fingerprint are those of a relaxation never left. Limits may be others; a precise phase that
+/// has begun stays. `state`, at first no more than seeds, becomes that after the last whole step.
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
                  const RelaxationOptions& options, const Observer& observer = {},
                  const Boundary& boundary = {});

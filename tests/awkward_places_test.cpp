@@ -87,7 +87,12 @@ const BadPlace bad_places[] = {
     {"OutputIsBelowAFile", "touch out", "$P relax torus.ply -k 4 -o out/deeper", "cannot make folder: Not a directory"},
     {"OutputIsBelowADevice", ":", "$P relax torus.ply -k 4 -o /dev/null/deeper", "cannot make folder"},
     {"OutputLinksNowhere", "ln -s no/where out", "$P relax torus.ply -k 4 -o out", "out: cannot make folder"},
-    {"NameTooLong", ":", "$P relax torus.ply -k 4 -o $(printf %0300d 0)", "cannot make folder: File name too long"},
+    {"NameTooLong", ":", "$P relax torus.ply -k 4 -o $(printf %0300d 0)", "cannot open: File name too long"},
+    {"NameOfResumedTooLong", ":", "$P relax torus.ply -k 4 --resume -o $(printf %0300d 0)", "cannot open: File name too long"},
+    {"NameOfComparedTooLong", ":", "$P compare torus.ply -k 4 -o $(printf %0300d 0)", "cannot make folder: File name too long"},
+    {"NothingToResume", "mkdir out", "$P relax torus.ply -k 4 --resume -o out", "out/checkpoint.msgpack: no such checkpoint"},
+    {"UnfinishedRun", "mkdir out; echo x > out/checkpoint.msgpack", "$P relax no.ply -k 4 -o out", "out/checkpoint.msgpack: is of an unfinished run: go on with --resume, or remove it"},
+    {"ResultOverItsSeeds", "$P relax torus.ply -k 4 -o out >log", "$P relax torus.ply --seeds-file out/seeds.csv -o out", "out/seeds.csv: would be overwritten"},
     {"OutputFileIsAFolder", "mkdir -p out/report.json", "$P relax torus.ply -k 4 -o out", "out/report.json: cannot write: Is a directory"},
     {"OutputFileIsADevice", "mkdir out; ln -s /dev/full out/seeds.csv", "$P relax torus.ply -k 4 -o out", "out/seeds.csv: cannot write: not a regular file"},
     {"OutputFileIsAPipe", "mkfifo a.png", "$P render torus.ply -o a.png", "a.png: cannot write: not a regular file"},
@@ -96,6 +101,7 @@ const BadPlace bad_places[] = {
     {"OutputFileIsFolderOfBatch", "mkdir -p out/batch.json", "$P batch torus.ply -k 4 -o out", "out/batch.json: cannot write"},
     {"OutputFileIsFolderOfGroundTruth", "mkdir -p out/ground-truth.json", "$P ground-truth torus.ply -k 4 -o out", "out/ground-truth.json: cannot write"},
     {"PictureInNoFolder", ":", "$P relax torus.ply -k 4 -o out --picture no/a.png", "no/a.png: cannot write: No such file"},
+    {"NameOfPictureTooLong", ":", "$P relax torus.ply -k 4 -o out --picture $(printf %0300d 0)", "cannot write: File name too long"},
     {"PictureIsAResult", ":", "$P relax torus.ply -k 4 -o out --picture out/report.json", "would be overwritten"},
     {"PictureIsTheMesh", ":", "$P render torus.ply -o ./torus.ply", "would be overwritten"},
     {"PictureIsTheSeeds", "echo 0 > seeds", "$P relax torus.ply --seeds-file seeds -o out --picture seeds", "would be overwritten"},
@@ -164,6 +170,8 @@ const ForbiddenPlace forbidden_places[] = {
     {"UnreadableInput", "cp torus.ply a.ply; chmod 0 a.ply", "$U $P relax a.ply -k 4 -o out", "a.ply: cannot open: Permission denied"},
     {"InputInAClosedFolder", "mkdir a; cp torus.ply a; chmod 0 a", "$U $P info a/torus.ply", "a/torus.ply: cannot open: Permission denied"},
     {"UnreadableSeeds", "echo 0 > s; chmod 0 s", "$U $P relax torus.ply --seeds-file s -o out", "s: cannot open: Permission denied"},
+    {"ResumedInAClosedFolder", "mkdir out; touch out/checkpoint.msgpack; chmod 0 out", "$U $P relax torus.ply -k 4 --resume -o out", "out/checkpoint.msgpack: cannot open: Permission denied"},
+    {"OutputInAClosedFolder", "mkdir out; chmod 0 out", "$U $P relax torus.ply -k 4 -o out", "out/checkpoint.msgpack: cannot open: Permission denied"},
     {"ReadOnlyOutputFolder", "mkdir out; chmod 555 out", "$U $P relax torus.ply -k 4 -o out", "out/tessellation.ply: cannot write: Permission denied"},
     {"FolderInAReadOnlyFolder", "mkdir a; chmod 555 a", "$U $P relax torus.ply -k 4 -o a/out", "a/out: cannot make folder: Permission denied"},
     {"PictureInAReadOnlyFolder", "mkdir a; chmod 555 a", "$U $P relax torus.ply -k 4 -o out --picture a/a.png", "a/a.png: cannot write: Permission denied"},
@@ -203,6 +211,23 @@ TEST_F(Places, ALostSummaryLosesNoResult) {
   EXPECT_TRUE(fs::exists(out() / "report.json"));
   (void)sh("$P relax torus.ply -k 20 -o pipe | true");
   EXPECT_TRUE(fs::exists(out("pipe") / "report.json"));
+}
+
+TEST_F(Places, ALostPictureLosesNoResult) {
+  ASSERT_EQ(relax("--seeds 20", "whole").status, 0);
+  expect_complaint(sh("ulimit -f 120; $P relax torus.ply -k 20 -o out --picture a.png --size 600"),
+                   "a.png: cannot write: File too large");
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+  EXPECT_TRUE(fs::exists(out() / "report.json"));
+  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply"}) {
+    EXPECT_EQ(read_file(out() / name), read_file(out("whole") / name)) << name;
+  }
+}
+
+TEST_F(Places, APictureMayHaveTheLongestNameThereCanBe) {
+  const std::string name(255, 'x');
+  EXPECT_EQ(sh("$P relax torus.ply -k 4 -o out --size 64 --picture " + name).status, 0);
+  EXPECT_NE(read_file(folder_.path() / name).find("IEND"), std::string::npos);
 }
 
 TEST_F(Places, APipeIsAsGoodAsAFile) {

@@ -2,12 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstddef>
+#include <iterator>
 
 #include "core/errors.h"
 #include "tests/temporary_folder.h"
@@ -90,14 +97,31 @@ TEST(FileIo, LeavesNothingOfAFileWhoseProcessIsKilled) {
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
+std::string temporary_name(int n) {
+  return ".geolloyd-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
+}
+
 TEST(FileIo, WritesWhereAKilledProcessOfTheSameIdLeftItsFile) {
   const TemporaryFolder folder;
-  const fs::path left = folder.write("a.part" + std::to_string(::getpid()), "left");
+  const fs::path left = folder.write(temporary_name(0), "left");
   OutputFile file(folder.path() / "a");
   file.write("new");
   file.commit();
   EXPECT_EQ(read_file(folder.path() / "a"), "new");
-  EXPECT_FALSE(fs::exists(left));
+  EXPECT_EQ(read_file(left), "left");
+  EXPECT_EQ(files_in(folder.path()), 2U);
+}
+
+// The longest name there can be is as good as any; a longer one is refused before all work.
+TEST(FileIo, KnowsWhichNamesThereCanBe) {
+  const TemporaryFolder folder;
+  const fs::path longest = folder.path() / std::string(255, 'x');
+  OutputFile file(longest);
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(read_file(longest), "new");
+  EXPECT_THROW(OutputFile(folder.path() / std::string(256, 'x')), IoError);
+  EXPECT_THROW(OutputFile(longest / "a"), IoError);
 }
 
 TEST(FileIo, GivesFilesTheUsersPermissions) {
@@ -107,6 +131,43 @@ TEST(FileIo, GivesFilesTheUsersPermissions) {
   ::umask(mask);
   file.commit();
   EXPECT_EQ(fs::status(folder.path() / "a").permissions(), static_cast<fs::perms>(0640));
+}
+
+// From now on a system call fails in this process, if the kernel lets us say so.
+bool forbid(unsigned call, unsigned error) {
+  sock_filter steps[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1),
+                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | error),
+                         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+  const sock_fprog filter = {std::size(steps), steps};
+  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+TEST(FileIo, KeepsTheOldFileWhereTheNewOneDoesNotReachTheDisk) {
+  enum { written, refused, untested };
+  const TemporaryFolder folder;
+  const fs::path path = folder.write("a", "old");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (!forbid(SYS_fdatasync, EIO)) ::_exit(untested);
+    try {
+      OutputFile file(path);
+      file.write("new");
+      file.sync();
+      file.commit();
+    } catch (const IoError&) {
+      ::_exit(refused);
+    }
+    ::_exit(written);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == untested) GTEST_SKIP() << "no system call can be made to fail";
+  EXPECT_EQ(WEXITSTATUS(status), refused);
+  EXPECT_EQ(read_file(path), "old");
+  EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
 // While this lives no file can be larger.
@@ -148,7 +209,7 @@ TEST(FileIo, FollowsNoLinkThatBearsTheTemporaryName) {
   const TemporaryFolder folder;
   const fs::path other = folder.write("other", "kept");
   const fs::path path = folder.path() / "a";
-  fs::create_symlink(other, path.string() + ".part" + std::to_string(::getpid()));
+  for (int n = 0; n < 3; ++n) fs::create_symlink(other, folder.path() / temporary_name(n));
   OutputFile file(path);
   file.write("new");
   file.commit();

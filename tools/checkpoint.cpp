@@ -13,7 +13,6 @@
 #include "tools/build_facts.h"
 #include "tools/flat_map.h"
 #include "tools/names.h"
-#include "tools/output_folder.h"
 
 namespace geolloyd {
 namespace {
@@ -251,7 +250,7 @@ void CheckpointFile::check_course(const FlatMap& content) {
     require(found != content.end());
     if (found->second == expected.at(name)) continue;
     throw InvalidInput(path_.string() + ": is the checkpoint of " + difference +
-                       ": give the same, or start without --resume");
+                       ": give the same, or remove it to begin anew");
   }
 }
 
@@ -269,7 +268,7 @@ Checkpoint CheckpointFile::read() try {
   return checkpoint;
 } catch (const Damaged&) {
   throw InvalidInput(path_.string() +
-                     ": is no checkpoint, or a damaged one: start without --resume");
+                     ": is no checkpoint, or a damaged one: remove it to begin anew");
 }
 
 void CheckpointFile::write(const Checkpoint& checkpoint) {
@@ -283,11 +282,14 @@ void CheckpointFile::write(const Checkpoint& checkpoint) {
   put_steps(content, state.steps);
   const std::string text = encode(content);
   const Bytes bytes(text.begin(), text.end());
-  write_text_file(path_, encode({{"format", format_name},
-                                 {"version", format_version},
-                                 {"program", program_name()},
-                                 {"checksum", checksum(bytes)},
-                                 {"content", bytes}}));
+  OutputFile file(path_);
+  file.write(encode({{"format", format_name},
+                     {"version", format_version},
+                     {"program", program_name()},
+                     {"checksum", checksum(bytes)},
+                     {"content", bytes}}));
+  file.sync();
+  file.commit();
 }
 
 }  // namespace geolloyd

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <system_error>
 
 #include "tools/build_facts.h"
 #include "tools/csv.h"
@@ -59,7 +60,8 @@ void save_result(const ExperimentOutput& output, const std::string& name, const 
 void finish_experiment(const ExperimentOutput& output, const std::string& name) {
   if (interrupted()) fmt::print("\nINTERRUPTED: this is only a part\n");
   const std::filesystem::path json = output.folder / (name + ".json");
-  if (output.folder.empty() || !std::filesystem::exists(json)) return;
+  std::error_code error;
+  if (output.folder.empty() || !std::filesystem::exists(json, error)) return;
   fmt::print("\n{}\n{}\n", (output.folder / (name + ".csv")).string(), json.string());
   if (!output.no_plot) draw_plot(json);
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -109,6 +110,8 @@ int main(int argc, char** argv) {
     return status_interrupted;
   } catch (const std::bad_alloc&) {
     return complain(status_bad_input, geolloyd::out_of_memory_message());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(status_bad_input, error.what());
   } catch (const std::system_error& error) {
     const bool lost = std::ferror(stdout) != 0;  // {fmt} says so with an error of its own
     return lost ? complain(status_bad_input, "standard output: " + std::string(error.what()))

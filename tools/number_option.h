@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -25,6 +26,15 @@ inline CLI::Option* whole_number(CLI::Option* option, std::uint64_t least,
            std::to_string(most);
   };
   return option->transform(CLI::Validator(read, ""))->type_name("NUMBER");
+}
+
+/// What is wrong with `text` as a time in seconds, or nothing: CLI11 by itself takes nan.
+inline std::string complaint_about_seconds(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const bool is_time = error == std::errc() && stop == end && std::isfinite(number) && number >= 0;
+  return is_time ? "" : "'" + text + "': give a number of seconds, 0 or more";
 }
 
 }  // namespace geolloyd

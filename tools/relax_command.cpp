@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 
 #include <memory>
+#include <system_error>
 
 #include "core/errors.h"
 #include "tools/commands.h"
@@ -10,6 +11,7 @@
 #include "tools/interrupt.h"
 #include "tools/labels.h"
 #include "tools/machine.h"
+#include "tools/number_option.h"
 #include "tools/picture.h"
 #include "tools/progress.h"
 #include "tools/relax_output.h"
@@ -120,9 +122,17 @@ void print_summary(const RunRecord& run) {
 void check_relax(const RelaxArguments& arguments) {
   check_arguments(arguments);
   const std::filesystem::path checkpoint = checkpoint_path(arguments);
-  if (arguments.resume && !std::filesystem::exists(checkpoint)) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(checkpoint, error);
+  if (error) throw IoError(checkpoint.string() + ": cannot open: " + error.message());
+  if (arguments.resume && !is_there) {
     throw InvalidInput(checkpoint.string() +
                        ": no such checkpoint to go on from: start without --resume");
+  }
+  if (!arguments.resume && is_there) {
+    throw InvalidInput(
+        checkpoint.string() +
+        ": is of an unfinished run: go on with --resume, or remove it to begin anew");
   }
 }
 
@@ -151,15 +161,15 @@ void run_relax(const RelaxArguments& arguments) {
   run.labels = label_input_ids(run);
   FileGroup files = open_results(arguments);
   write_results(run, files, scheduler);
-  if (!arguments.picture.empty()) {
-    progress.stage("drawing " + arguments.picture.string());
-    write_picture(arguments.picture, run, scheduler);
-  }
   run.seconds.write = writing.seconds();
   run.seconds.total = total.seconds();
   run.peak_memory_bytes = peak_memory_bytes();
   write_report(run, files);
   if (!run.interrupted) relaxation.forget();
+  if (!arguments.picture.empty()) {  // whatever happens to it, the results are there
+    progress.stage("drawing " + arguments.picture.string());
+    write_picture(arguments.picture, run, scheduler);
+  }
   progress.clear();
   print_summary(run);
   if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
@@ -189,9 +199,9 @@ void add_relax_command(CLI::App& program) {
                     "Judge the result by the regions of Euclidean distance");
   command
       ->add_option("--checkpoint", arguments->checkpoint_seconds,
-                   "At least so many seconds are between two checkpoints, of which the\n"
-                   "last one is in the folder until the work is done")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+                   "Write a checkpoint every so many seconds (0: after each step), from\n"
+                   "which --resume goes on; it goes when the work is done")
+      ->check(CLI::Validator(complaint_about_seconds, ""))
       ->type_name("SECONDS")
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,

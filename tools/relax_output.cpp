@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/errors.h"
@@ -52,18 +53,19 @@ std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
 }
 
 void prepare_output(const RelaxArguments& arguments) {
-  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield};
+  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield,
+                                               arguments.seeds_file};
   prepare_folder(arguments.output, relax_names, others);
   check_target(checkpoint_path(arguments), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
-  others.push_back(arguments.seeds_file);
   for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments));
   check_target(arguments.picture, others);
+  std::error_code error;
   if (!arguments.frames.empty() &&
-      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture).parent_path(),
-                                  arguments.frames)) {
+      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture, error).parent_path(),
+                                  arguments.frames, error)) {
     throw InvalidInput(arguments.picture.string() +
                        ": is in the folder of the frames: give another place");
   }

@@ -12,7 +12,8 @@ namespace geolloyd {
 std::filesystem::path checkpoint_path(const RelaxArguments& arguments);
 
 /// Makes the folder and makes sure that the results and the picture can be written, before hours of
-/// work depend on it, and that none of them would replace the mesh or the field. Throws Error.
+/// work depend on it, and that none of them would replace the mesh, the field or the file of the
+/// first seeds. Throws Error.
 void prepare_output(const RelaxArguments& arguments);
 
 /// The files of the results. Those of another run stay until write_report.

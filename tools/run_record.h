@@ -47,7 +47,7 @@ struct RunRecord {
   std::vector<Label> labels;  ///< per input id
   Remesh remesh;
   std::optional<GroundTruth> ground_truth;
-  bool interrupted = false;  ///< anything of it is not what it would have been
+  bool interrupted = false;  ///< before the results were written: they may be less than otherwise
   StageSeconds seconds;
   std::uint64_t memory_estimate = 0;    ///< bytes, before the graph was built
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written
