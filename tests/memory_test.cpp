@@ -186,17 +186,6 @@ TEST_F(Program, RefusesMoreThreadsThanTheShellHasRoomFor) {
   }
 }
 
-// Also of threads that libraries start by themselves.
-TEST_F(Program, DoesNotCrashWhereTheAddressSpaceEnds) {
-  if (under_sanitizer) GTEST_SKIP();
-  for (int kib = 200'000; kib <= 600'000; kib += 50'000) {
-    const Outcome outcome = run_shell("{ ulimit -v " + std::to_string(kib) +
-                                      "; " GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
-                                      out().string() + " -k 5 --threads 24 --ground-truth; }");
-    EXPECT_LT(outcome.status, 3) << outcome.text;  // the shell says 134 of a crash
-  }
-}
-
 TEST_F(Program, GivesItsLimitToNoOtherProgram) {
   const fs::path python = folder_.write("python3", "#!/bin/sh\necho data $(ulimit -S -d) end\n");
   fs::permissions(python, fs::perms::owner_all);

@@ -152,7 +152,7 @@ std::uint64_t room_for_reserves() {
   constexpr std::uint64_t blocks = 96'000'000;
   constexpr std::uint64_t blocks_of_thread = 4'000'000;
   // Embree and the other backend may start as many threads as there are cores.
-  const std::uint64_t most = threads + 2 * std::thread::hardware_concurrency();
+  const std::uint64_t most = threads + 2 * std::uint64_t{std::thread::hardware_concurrency()};
   return blocks + (stack_bytes() + blocks_of_thread) * most;
 }
 
