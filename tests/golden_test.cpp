@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <functional>
-#include <map>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -15,7 +13,6 @@
 #include "core/components.h"
 #include "core/file_io.h"
 #include "core/reference_engine.h"
-#include "core/shapes.h"
 #include "parallel/mesh_graph.h"
 #include "tools/names.h"
 
@@ -53,14 +50,7 @@ std::vector<Golden> read_table() {
 }
 
 Mesh make_shape(const Golden& row) {
-  static const std::map<std::string, std::function<Mesh(std::size_t)>> shapes = {
-      {"creature", [](std::size_t n) { return creature(n, 1); }},
-      {"plane", [](std::size_t n) { return irregular_plane(n, 1); }},
-      {"icosphere", [](std::size_t n) { return icosphere(n); }},
-      {"torus", [](std::size_t n) { return torus(n, 1); }},
-      {"cylinder", [](std::size_t n) { return cylinder(n, 1); }},
-  };
-  return shapes.at(row.shape)(row.triangles);
+  return value_of(shape_names, row.shape)(row.triangles, 1);
 }
 
 MeshGraphOptions graph_options(const Golden& row) {
@@ -126,7 +116,7 @@ TEST(GoldenTable, HasARowForEachShapeAndGraph) {
     shapes.insert(row.shape);
     graphs.insert(row.graph);
   }
-  EXPECT_EQ(shapes.size(), 5U);
+  EXPECT_EQ(shapes.size(), shape_names.size());
   EXPECT_EQ(graphs.size(), graph_kind_names.size());
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/mesh_io.h"
-#include "core/shapes.h"
 #include "tools/choice_option.h"
 #include "tools/commands.h"
 #include "tools/facts_text.h"
@@ -17,16 +16,6 @@
 
 namespace geolloyd {
 namespace {
-
-using Shape = Mesh (*)(std::size_t triangles, std::uint64_t random_seed);
-
-const std::vector<Named<Shape>> shape_names = {
-    {"creature", creature},
-    {"plane", irregular_plane},
-    {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
-    {"torus", torus},
-    {"cylinder", cylinder},
-};
 
 struct Arguments {
   std::string shape;

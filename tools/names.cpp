@@ -1,6 +1,16 @@
 #include "tools/names.h"
 
+#include "core/shapes.h"
+
 namespace geolloyd {
+
+const std::vector<Named<Shape>> shape_names = {
+    {"creature", creature},
+    {"plane", irregular_plane},
+    {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
+    {"torus", torus},
+    {"cylinder", cylinder},
+};
 
 const std::vector<Named<GraphKind>> graph_kind_names = {
     {"vertex", GraphKind::vertex},     {"vertex-dense", GraphKind::vertex_dense},

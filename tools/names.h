@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,10 @@ struct Named {
   const char* name;
   Choice value;
 };
+
+/// Makes a generated mesh (shapes.h).
+using Shape = Mesh (*)(std::size_t triangles, std::uint64_t random_seed);
+extern const std::vector<Named<Shape>> shape_names;
 
 extern const std::vector<Named<GraphKind>> graph_kind_names;
 extern const std::vector<Named<Norm>> norm_names;
