@@ -126,15 +126,17 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
-  // No file can be linked over another, but any can be renamed over one.
-  if (!has_name_) {
-    make_temporary([&] {
-      return ::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD,
-                      temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0;
-    });
+  // In one step where nothing bears the name: a signal finds no other. No file can be linked over
+  // another, but any can be renamed over one.
+  const auto link_to = [&](const std::filesystem::path& name) {
+    return ::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD, name.c_str(),
+                    AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (has_name_ || !link_to(path_)) {
+    if (!has_name_) make_temporary([&] { return link_to(temporary_); });
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
+    has_name_ = false;
   }
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
-  has_name_ = false;
   file_.reset();
 }
 

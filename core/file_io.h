@@ -13,10 +13,10 @@ namespace geolloyd {
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
-/// nothing is left of it however the program ends, but for a moment in commit(); on a file system
-/// that has no such files, a temporary name beside `path`, .geolloyd-PROCESS-N.part, and is removed
-/// with the object. Complete after finish(). Throws IoError; also where `path` is a folder, a
-/// device or a pipe, or can be no name.
+/// nothing is left of it however the program ends. For a moment in commit(), where it replaces
+/// another, and all the time on a file system that has no such files, it has a temporary name
+/// beside `path`, .geolloyd-PROCESS-N.part, and is removed with the object. Complete after
+/// finish(). Throws IoError; also where `path` is a folder, a device or a pipe, or can be no name.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);

@@ -4,6 +4,7 @@
 
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <sys/inotify.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -11,9 +12,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
 #include <iterator>
 
 #include "core/errors.h"
@@ -97,6 +100,24 @@ TEST(FileIo, LeavesNothingOfAFileWhoseProcessIsKilled) {
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
+// Else a signal just then would leave the other.
+TEST(FileIo, GivesANewFileNoOtherName) {
+  const TemporaryFolder folder;
+  OutputFile file(folder.path() / "a");
+  file.write("new");
+  const int events = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ASSERT_GE(::inotify_add_watch(events, folder.path().c_str(), IN_CREATE | IN_MOVE | IN_DELETE), 0);
+  file.commit();
+  alignas(inotify_event) std::array<char, 4096> buffer{};
+  const ssize_t size = ::read(events, buffer.data(), buffer.size());
+  ::close(events);
+  ASSERT_GT(size, 0);
+  inotify_event event{};
+  std::memcpy(&event, buffer.data(), sizeof event);
+  EXPECT_STREQ(buffer.data() + sizeof event, "a");
+  EXPECT_EQ(static_cast<std::size_t>(size), sizeof event + event.len) << "more than one event";
+}
+
 std::string temporary_name(int n) {
   return ".geolloyd-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part";
 }
@@ -104,10 +125,11 @@ std::string temporary_name(int n) {
 TEST(FileIo, WritesWhereAKilledProcessOfTheSameIdLeftItsFile) {
   const TemporaryFolder folder;
   const fs::path left = folder.write(temporary_name(0), "left");
-  OutputFile file(folder.path() / "a");
+  const fs::path path = folder.write("a", "old");
+  OutputFile file(path);
   file.write("new");
   file.commit();
-  EXPECT_EQ(read_file(folder.path() / "a"), "new");
+  EXPECT_EQ(read_file(path), "new");
   EXPECT_EQ(read_file(left), "left");
   EXPECT_EQ(files_in(folder.path()), 2U);
 }
@@ -208,7 +230,7 @@ TEST(FileIo, NoticesAFullDisk) {
 TEST(FileIo, FollowsNoLinkThatBearsTheTemporaryName) {
   const TemporaryFolder folder;
   const fs::path other = folder.write("other", "kept");
-  const fs::path path = folder.path() / "a";
+  const fs::path path = folder.write("a", "old");
   for (int n = 0; n < 3; ++n) fs::create_symlink(other, folder.path() / temporary_name(n));
   OutputFile file(path);
   file.write("new");
