@@ -6,6 +6,7 @@
 
 #include "tests/program.h"
 #include "tests/sanitizers.h"
+#include "tools/available_memory.h"
 #include "tools/memory_estimate.h"
 #include "tools/memory_limit.h"
 

@@ -19,7 +19,7 @@ find_package(Eigen3 REQUIRED)
 find_package(OpenMP REQUIRED)
 find_package(TBB REQUIRED)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
-string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off" flags)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${GEOLLOYD_ARITHMETIC}" flags)
 string(CONCAT libraries
   "oneTBB ${TBB_VERSION}, OpenMP ${OpenMP_CXX_VERSION}, Eigen ${Eigen3_VERSION}, "
   "Embree ${embree_VERSION}, Cairo ${cairo_VERSION}, fmt ${fmt_VERSION}, CLI11 ${CLI11_VERSION}, "

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/errors.h"
+#include "tools/available_memory.h"
 #include "tools/build_facts.h"
 #include "tools/commands.h"
 #include "tools/memory_limit.h"

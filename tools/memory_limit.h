@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 
 #include "tools/cli_fwd.h"
@@ -11,11 +11,6 @@ namespace geolloyd {
 // How much memory the program may hold. The system gives memory away that it does not have, and
 // ends a program that then uses it: so what cannot fit is refused before the work, and what was
 // not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
-
-/// What the system says it can give, bytes: MemAvailable, or less where a control group (version 1
-/// or 2) or the shell (ulimit) allows less. `root` is for tests. The largest number where nothing
-/// is known.
-std::uint64_t available_memory(const std::filesystem::path& root = "/");
 
 /// Limits this process from now on, instead of any earlier limit.
 void limit_memory(std::uint64_t bytes);

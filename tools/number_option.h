@@ -1,40 +1,21 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
-#include <system_error>
+
+#include "tools/cli_fwd.h"
 
 namespace geolloyd {
 
-/// Makes `option` take whole numbers from `least` to `most`, in decimal digits: CLI11 by itself
-/// reads 010 as eight and -1 as a huge number.
-inline CLI::Option* whole_number(CLI::Option* option, std::uint64_t least,
-                                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-  const auto read = [least, most](std::string& text) -> std::string {
-    std::uint64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc() && stop == end && number >= least && number <= most) {
-      text = std::to_string(number);
-      return "";
-    }
-    return "'" + text + "': give a whole number from " + std::to_string(least) + " to " +
-           std::to_string(most);
-  };
-  return option->transform(CLI::Validator(read, ""))->type_name("NUMBER");
-}
+// Each makes an option take numbers of one kind only: CLI11 by itself reads 010 as eight, -1 as a
+// huge number, and nan as any other.
 
-/// What is wrong with `text` as a time in seconds, or nothing: CLI11 by itself takes nan.
-inline std::string complaint_about_seconds(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  const bool is_time = error == std::errc() && stop == end && std::isfinite(number) && number >= 0;
-  return is_time ? "" : "'" + text + "': give a number of seconds, 0 or more";
-}
+/// From `least` to `most`, in decimal digits.
+CLI::Option* whole_number(CLI::Option* option, std::uint64_t least,
+                          std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+/// Above 0, like 800M, 8G or 8GiB; the option itself gets the number of bytes.
+CLI::Option* byte_count(CLI::Option* option);
+/// 0 or more, and finite.
+CLI::Option* time_in_seconds(CLI::Option* option);
 
 }  // namespace geolloyd

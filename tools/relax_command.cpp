@@ -197,12 +197,10 @@ void add_relax_command(CLI::App& program) {
       ->type_name("FOLDER");
   command->add_flag("--ground-truth", arguments->ground_truth,
                     "Judge the result by the regions of Euclidean distance");
-  command
-      ->add_option("--checkpoint", arguments->checkpoint_seconds,
-                   "Write a checkpoint every so many seconds (0: after each step), from\n"
-                   "which --resume goes on; it goes when the work is done")
-      ->check(CLI::Validator(complaint_about_seconds, ""))
-      ->type_name("SECONDS")
+  time_in_seconds(
+      command->add_option("--checkpoint", arguments->checkpoint_seconds,
+                          "Write a checkpoint every so many seconds (0: after each step), from\n"
+                          "which --resume goes on; it goes when the work is done"))
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,
                     "Go on from the checkpoint in the folder, with the options of before");
