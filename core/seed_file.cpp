@@ -182,4 +182,14 @@ std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
   return seeds;
 }
 
+std::size_t most_seeds(std::string_view text) {
+  TextCursor cursor(text, "");
+  std::size_t lines = 0;
+  for (cursor.skip_empty_lines('#'); !cursor.at_end(); cursor.skip_empty_lines('#')) {
+    cursor.next_line();
+    ++lines;
+  }
+  return lines;
+}
+
 }  // namespace geolloyd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -19,5 +20,7 @@ std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const Mesh
 /// What it makes of a file that holds `text`; `name` opens every message.
 std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
                                 const MeshGraph& mesh_graph, const Components& components);
+/// How many seeds that text has if nothing is wrong with it, or, of a seeds.csv, one more.
+std::size_t most_seeds(std::string_view text);
 
 }  // namespace geolloyd

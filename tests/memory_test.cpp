@@ -114,6 +114,20 @@ TEST_F(Program, RefusesWhatDoesNotFitIntoTheMemory) {
   }
 }
 
+TEST_F(Program, EstimatesTheMemoryOfSeedsInAFileAsOfSeedsChosen) {
+  const auto estimate = [&](const std::string& name) -> std::uint64_t {
+    return nlohmann::json::parse(read_file(out(name) / "report.json"))["memory_estimate_bytes"];
+  };
+  ASSERT_EQ(relax("--seeds 50", "chosen").status, 0);
+  std::string ids = "# fifty\n\n";
+  const std::vector<std::string> lines = lines_of(out("chosen") / "seeds.csv");
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    ids += lines[i].substr(0, lines[i].find(',')) + "\n";
+  const fs::path file = folder_.write("ids.txt", ids);
+  ASSERT_EQ(relax("--seeds-file " + file.string(), "given").status, 0);
+  EXPECT_EQ(estimate("given"), estimate("chosen"));
+}
+
 TEST_F(Program, EveryCommandHeedsTheMemoryLimit) {
   const std::string mesh = mesh_.string();
   const std::string low = " --memory-limit 20M";

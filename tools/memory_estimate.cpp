@@ -35,8 +35,12 @@ constexpr Bytes likely_edges(Bytes triangles) {
   return triangles * 3 / 2;
 }
 
-// Embree: corners and indices as floats and integers, and the tree above them.
-constexpr Bytes scene_bytes(Bytes triangles) {
+// Embree: corners and indices as floats and integers, and the tree above them. Measured: 73 to 97
+// bytes for rays, 113 to 149 for nearest points.
+constexpr Bytes scene_of_rays(Bytes triangles) {
+  return 100 * triangles;
+}
+constexpr Bytes scene_of_points(Bytes triangles) {
   return 150 * triangles;
 }
 
@@ -85,7 +89,7 @@ Bytes making_remesh(const RunSize& s) {
 
 // For the result, or for the vertices of the remesh.
 Bytes finding_ground_truth(const RunSize& s) {
-  return edge_bytes(s.edges, s.triangles) + surface_bytes(s) + scene_bytes(s.triangles) +
+  return edge_bytes(s.edges, s.triangles) + surface_bytes(s) + scene_of_points(s.triangles) +
          40 * s.triangles + 12 * s.nodes;
 }
 
@@ -93,7 +97,7 @@ Bytes finding_ground_truth(const RunSize& s) {
 // colour, and a stroke where regions meet.
 Bytes drawing(Bytes vertices, Bytes triangles, Bytes samples) {
   return mesh_bytes(vertices, triangles) + 24 * (vertices + triangles) + 16 * vertices +
-         scene_bytes(triangles) + 28 * samples;
+         scene_of_rays(triangles) + 25 * samples;
 }
 
 }  // namespace
@@ -132,7 +136,7 @@ Bytes memory_to_draw(Bytes vertices, Bytes triangles, Bytes samples) {
 Bytes memory_to_judge(Bytes triangles, Bytes others) {
   const auto loaded = [](Bytes t) { return mesh_bytes(t / 2, t) + edge_bytes(likely_edges(t), t); };
   return base +
-         with_gaps(loaded(triangles) + loaded(others) + scene_bytes(std::max(triangles, others)) +
+         with_gaps(loaded(triangles) + loaded(others) + scene_of_points(std::max(triangles, others)) +
                    finding_edges(triangles / 2, triangles));
 }
 

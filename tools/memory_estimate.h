@@ -22,7 +22,7 @@ struct RunSize {
 };
 
 // Upper estimates of the most memory held at once, bytes: 1 to 1.5 times what is, from some hundred
-// thousand triangles on. Checked by tests/memory_test.cpp.
+// thousand triangles on, and up to twice that for a picture or ground truth without a relaxation.
 
 /// Of reading a mesh, when only the size of its file is known: a lower estimate, that.
 std::uint64_t memory_to_read(std::uint64_t file_bytes);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/mesh_check.h"
@@ -37,6 +38,7 @@ struct EarlierPart {
 struct RunRecord {
   RelaxArguments arguments;
   LoadedMesh input;
+  std::string seeds_text;  ///< what the seeds file holds, where there is one
   MeshFacts facts;
   MeshGraph mesh_graph;
   std::size_t components = 0;  ///< of the graph

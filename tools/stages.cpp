@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/components.h"
+#include "core/file_io.h"
 #include "core/graph_on.h"
 #include "core/seed_file.h"
 #include "core/seeds.h"
@@ -47,7 +48,8 @@ std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, Sche
   size.has_triangle_nodes = has_triangles(kind);
   size.links = count_links(mesh, edges, kind);
   check_link_count(size.links);
-  size.seeds = std::clamp<std::uint64_t>(a.seeds, 1, size.nodes);
+  const std::uint64_t seeds = a.seeds_file.empty() ? a.seeds : most_seeds(run.seeds_text);
+  size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !a.vfield.empty();
   size.is_reference = value_of(engine_names, a.engine) == EngineKind::reference;
@@ -95,7 +97,7 @@ std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
       a.seeds_file.empty()
           ? choose_seeds(graph, components, value_of(seed_init_names, a.init), a.seeds,
                          a.random_seed, *make_growing_search(scheduler, graph))
-          : read_seed_file(a.seeds_file, run.mesh_graph, components);
+          : parse_seeds(run.seeds_text, a.seeds_file.string(), run.mesh_graph, components);
   run.seconds.seeds = watch.seconds();
   return seeds;
 }
@@ -111,6 +113,7 @@ std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& 
   progress.stage("reading " + run.arguments.mesh.string());
   {
     const MeshEdges edges = load_mesh(run, scheduler);
+    if (!run.arguments.seeds_file.empty()) run.seeds_text = read_file(run.arguments.seeds_file);
     progress.stage("building the " + run.arguments.graph + " graph");
     build_graph(run, scheduler, edges);
   }
