@@ -4,4 +4,4 @@
 namespace CLI {  // NOLINT(readability-identifier-naming): its name
 class App;
 class Option;
-}
+}  // namespace CLI

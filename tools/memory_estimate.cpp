@@ -135,9 +135,9 @@ Bytes memory_to_draw(Bytes vertices, Bytes triangles, Bytes samples) {
 
 Bytes memory_to_judge(Bytes triangles, Bytes others) {
   const auto loaded = [](Bytes t) { return mesh_bytes(t / 2, t) + edge_bytes(likely_edges(t), t); };
-  return base +
-         with_gaps(loaded(triangles) + loaded(others) + scene_of_points(std::max(triangles, others)) +
-                   finding_edges(triangles / 2, triangles));
+  return base + with_gaps(loaded(triangles) + loaded(others) +
+                          scene_of_points(std::max(triangles, others)) +
+                          finding_edges(triangles / 2, triangles));
 }
 
 Bytes memory_to_subdivide(Bytes triangles, Bytes times) {
