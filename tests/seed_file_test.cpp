@@ -64,6 +64,13 @@ TEST_F(SeedFile, HoldsPositionsThatStandForTheNearestNode) {
   EXPECT_EQ(read("0.6 0.3 0\n9 9 9\n", GraphKind::triangle), (Ids{0, 2}));
 }
 
+TEST_F(SeedFile, HasAtMostAsManySeedsAsLines) {
+  EXPECT_EQ(most_seeds("# two\r\n\r\n 3 \r\n5"), 2U);
+  EXPECT_EQ(most_seeds("0.9 0.8 0.3\n\n5,0.6,0\n"), 2U);
+  EXPECT_EQ(most_seeds("input_id,kind\n3,vertex\n6,vertex\n"), 3U);  // and the names of columns
+  EXPECT_EQ(most_seeds(""), 0U);
+}
+
 TEST_F(SeedFile, MayBeAWrittenTable) {
   const std::string header = "input_id,kind,x,y,z,nodes,area,energy\n";
   EXPECT_EQ(read(header + "3,vertex,0,1,0,4,1,2\n6,vertex,6,0,0,3,1,1\n"), (Ids{3, 6}));
