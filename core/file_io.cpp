@@ -132,11 +132,11 @@ void OutputFile::commit() {
     return ::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD, name.c_str(),
                     AT_SYMLINK_FOLLOW) == 0;
   };
-  if (has_name_ || !link_to(path_)) {
-    if (!has_name_) make_temporary([&] { return link_to(temporary_); });
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot write", errno);
-    has_name_ = false;
+  if (!has_name_ && !link_to(path_)) make_temporary([&] { return link_to(temporary_); });
+  if (has_name_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    fail(path_, "cannot write", errno);
   }
+  has_name_ = false;
   file_.reset();
 }
 

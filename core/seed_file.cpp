@@ -8,7 +8,6 @@
 #include <unordered_map>
 
 #include "core/errors.h"
-#include "core/file_io.h"
 #include "core/text_cursor.h"
 
 namespace geolloyd {
@@ -167,11 +166,6 @@ void check_components(std::string_view name, const MeshGraph& mesh_graph,
 }
 
 }  // namespace
-
-std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const MeshGraph& mesh_graph,
-                                   const Components& components) {
-  return parse_seeds(read_file(path), path.string(), mesh_graph, components);
-}
 
 std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
                                 const MeshGraph& mesh_graph, const Components& components) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -14,10 +13,8 @@ namespace geolloyd {
 /// line (mesh_graph.h); three coordinates a line, standing for the nearest node; or a seeds.csv as
 /// geolloyd writes it. Blank lines and lines beginning with '#' are skipped. Throws InvalidInput,
 /// naming the line, where a line is malformed, an id has no node, or a node comes twice; and where
-/// a connected component of the graph has no seed.
-std::vector<NodeId> read_seed_file(const std::filesystem::path& path, const MeshGraph& mesh_graph,
-                                   const Components& components);
-/// What it makes of a file that holds `text`; `name` opens every message.
+/// a connected component of the graph has no seed. The file holds `text`; `name` opens every
+/// message.
 std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
                                 const MeshGraph& mesh_graph, const Components& components);
 /// How many seeds that text has if nothing is wrong with it, or, of a seeds.csv, one more.

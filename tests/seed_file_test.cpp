@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/errors.h"
-#include "tests/temporary_folder.h"
 
 namespace geolloyd {
 namespace {
@@ -23,8 +22,7 @@ class SeedFile : public testing::Test {
     options.kind = kind;
     const MeshGraph made = make_mesh_graph(square_and_more, find_edges(square_and_more), options);
     std::vector<std::uint32_t> ids;
-    for (const NodeId s :
-         read_seed_file(folder_.write("s.txt", text), made, connected_components(made.graph))) {
+    for (const NodeId s : parse_seeds(text, "s.txt", made, connected_components(made.graph))) {
       ids.push_back(made.input_id[s]);
     }
     return ids;
@@ -40,8 +38,6 @@ class SeedFile : public testing::Test {
           << error.what();
     }
   }
-
-  TemporaryFolder folder_;
 };
 
 using Ids = std::vector<std::uint32_t>;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/energy.h"
+#include "core/file_io.h"
 #include "core/mesh_io.h"
 #include "core/reference_engine.h"
 #include "core/relaxation.h"
@@ -46,8 +47,8 @@ TEST_P(Thesis, EnergiesAreThoseOfTheOriginalProgram) {
   MeshGraphOptions options;
   options.kind = expected.kind;
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
-  const auto seeds =
-      read_seed_file(folder / expected.seeds, made, connected_components(made.graph));
+  const auto seeds = parse_seeds(read_file(folder / expected.seeds), expected.seeds, made,
+                                 connected_components(made.graph));
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   EXPECT_EQ(result.end, End::converged);
@@ -67,7 +68,8 @@ TEST(ThesisField, OfTheHippoConverges) {
   options.vertex_space = read_tangent_field(folder / "hippo_aniso.vfield", mesh.vertex_count());
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
   const auto seeds =
-      read_seed_file(folder / "hippo.init4096_vertex.txt", made, connected_components(made.graph));
+      parse_seeds(read_file(folder / "hippo.init4096_vertex.txt"), "hippo.init4096_vertex.txt",
+                  made, connected_components(made.graph));
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   EXPECT_EQ(result.end, End::converged);

@@ -137,7 +137,8 @@ class Batches {
     for (const std::string& graph : arguments_.graphs) {
       run_.arguments.graph = graph;
       progress_.stage("building the " + graph + " graph");
-      build_graph(run_, scheduler_, edges);
+      // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
+      build_graph(run_, scheduler_, edges, 1);
       for (const std::size_t k : ladder) {
         for (BatchRow& row : run_from(graph, k)) rows.push_back(row);
         save(rows);

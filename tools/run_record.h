@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/mesh_check.h"
@@ -38,7 +37,6 @@ struct EarlierPart {
 struct RunRecord {
   RelaxArguments arguments;
   LoadedMesh input;
-  std::string seeds_text;  ///< what the seeds file holds, where there is one
   MeshFacts facts;
   MeshGraph mesh_graph;
   std::size_t components = 0;  ///< of the graph

@@ -35,7 +35,8 @@ LoadedMesh read_within_limits(const std::filesystem::path& path) {
 namespace {
 
 // Of all there is to come, once the edges are known.
-std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, Scheduler& scheduler) {
+std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, std::size_t seeds,
+                              Scheduler& scheduler) {
   const RelaxArguments& a = run.arguments;
   const Mesh& mesh = run.input.mesh;
   const GraphKind kind = value_of(graph_kind_names, a.graph);
@@ -48,7 +49,6 @@ std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, Sche
   size.has_triangle_nodes = has_triangles(kind);
   size.links = count_links(mesh, edges, kind);
   check_link_count(size.links);
-  const std::uint64_t seeds = a.seeds_file.empty() ? a.seeds : most_seeds(run.seeds_text);
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !a.vfield.empty();
@@ -72,8 +72,8 @@ MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
   return edges;
 }
 
-void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges) {
-  run.memory_estimate = estimate_memory(run, edges, scheduler);
+void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges, std::size_t seeds) {
+  run.memory_estimate = estimate_memory(run, edges, seeds, scheduler);
   require_memory(run.arguments.mesh.string(), run.memory_estimate);
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
@@ -87,7 +87,8 @@ void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges) {
 
 namespace {
 
-std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
+// `text` is that of the seeds file, if there is one.
+std::vector<NodeId> first_seeds(RunRecord& run, const std::string& text, Scheduler& scheduler) {
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
   const Graph& graph = run.mesh_graph.graph;
@@ -97,7 +98,7 @@ std::vector<NodeId> first_seeds(RunRecord& run, Scheduler& scheduler) {
       a.seeds_file.empty()
           ? choose_seeds(graph, components, value_of(seed_init_names, a.init), a.seeds,
                          a.random_seed, *make_growing_search(scheduler, graph))
-          : parse_seeds(run.seeds_text, a.seeds_file.string(), run.mesh_graph, components);
+          : parse_seeds(text, a.seeds_file.string(), run.mesh_graph, components);
   run.seconds.seeds = watch.seconds();
   return seeds;
 }
@@ -110,15 +111,17 @@ Scheduler make_scheduler(const RelaxArguments& a) {
 }
 
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {
-  progress.stage("reading " + run.arguments.mesh.string());
+  const RelaxArguments& a = run.arguments;
+  progress.stage("reading " + a.mesh.string());
+  std::string seeds_text;
   {
     const MeshEdges edges = load_mesh(run, scheduler);
-    if (!run.arguments.seeds_file.empty()) run.seeds_text = read_file(run.arguments.seeds_file);
-    progress.stage("building the " + run.arguments.graph + " graph");
-    build_graph(run, scheduler, edges);
+    if (!a.seeds_file.empty()) seeds_text = read_file(a.seeds_file);
+    progress.stage("building the " + a.graph + " graph");
+    build_graph(run, scheduler, edges, a.seeds_file.empty() ? a.seeds : most_seeds(seeds_text));
   }
   progress.stage("choosing seeds");
-  return first_seeds(run, scheduler);
+  return first_seeds(run, seeds_text, scheduler);
 }
 
 void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {

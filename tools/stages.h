@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -20,9 +21,9 @@ LoadedMesh read_within_limits(const std::filesystem::path& path);
 /// Reads and checks the mesh.
 MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler);
 
-/// Of the kind that the arguments say. Throws InvalidInput where the whole run needs more memory
-/// than there is.
-void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges);
+/// Of the kind that the arguments say. Throws InvalidInput where the whole run, with so many seeds
+/// at first, needs more memory than there is.
+void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges, std::size_t seeds);
 
 /// All that comes before the relaxation: these two, then chooses or reads the first seeds and
 /// returns them. Fills in what `run` has to say of these stages.
