@@ -1,11 +1,11 @@
 // The library as its users see it: a mesh in, a tessellation out.
-#include <geolloyd/core/components.h>
-#include <geolloyd/core/mesh_graph.h>
-#include <geolloyd/core/reference_engine.h>
-#include <geolloyd/core/relaxation.h>
-#include <geolloyd/core/seeds.h>
-#include <geolloyd/core/shapes.h>
-#include <geolloyd/parallel/parallel_engine.h>
+#include <geolloyd/core/graph/components.h>
+#include <geolloyd/core/graph/mesh_graph.h>
+#include <geolloyd/core/lloyd/reference_engine.h>
+#include <geolloyd/core/lloyd/relaxation.h>
+#include <geolloyd/core/seeds/seeds.h>
+#include <geolloyd/core/shapes/shapes.h>
+#include <geolloyd/parallel/engine/parallel_engine.h>
 #include <cstdio>
 
 int main() {

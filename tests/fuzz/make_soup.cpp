@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/bounding_box.h"
-#include "core/subdivide.h"
+#include "core/base/bounding_box.h"
+#include "core/mesh/subdivide.h"
 #include "tests/fuzz/choices.h"
 #include "tests/fuzz/soup.h"
 

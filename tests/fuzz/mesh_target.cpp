@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "core/mesh_check.h"
-#include "core/mesh_edges.h"
-#include "core/mesh_quality.h"
-#include "core/mesh_topology.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_quality.h"
+#include "core/mesh/mesh_topology.h"
 #include "tests/fuzz/target.h"
-#include "tests/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geolloyd::fuzz {
 namespace {

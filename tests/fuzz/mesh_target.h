@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/mesh_readers.h"
+#include "core/formats/mesh_readers.h"
 
 namespace geolloyd::fuzz {
 

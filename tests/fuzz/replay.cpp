@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/file_io.h"
+#include "core/text/file_io.h"
 #include "tests/fuzz/target.h"
 
 int main(int argc, char** argv) {

@@ -2,9 +2,9 @@
 #include <set>
 #include <vector>
 
-#include "core/components.h"
-#include "core/mesh_graph.h"
-#include "core/seed_file.h"
+#include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
+#include "core/seeds/seed_file.h"
 #include "tests/fuzz/target.h"
 
 namespace geolloyd::fuzz {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <span>
 
-#include "core/mesh_graph.h"
-#include "core/relaxation.h"
-#include "core/seeds.h"
-#include "parallel/parallel_engine.h"
+#include "core/graph/mesh_graph.h"
+#include "core/lloyd/relaxation.h"
+#include "core/seeds/seeds.h"
+#include "parallel/engine/parallel_engine.h"
 
 namespace geolloyd::fuzz {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/mesh_graph.h"
-#include "core/tangent_field_file.h"
+#include "core/formats/tangent_field_file.h"
+#include "core/graph/mesh_graph.h"
 #include "tests/fuzz/target.h"
 
 namespace geolloyd::fuzz {

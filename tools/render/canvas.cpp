@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/grouping.h"
+#include "core/base/grouping.h"
 
 namespace geolloyd {
 namespace {

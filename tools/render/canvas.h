@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "parallel/primitives.h"
-#include "tools/labels.h"
+#include "parallel/threads/primitives.h"
+#include "tools/render/labels.h"
 #include "tools/render/scene.h"
 
 namespace geolloyd {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/random.h"
-#include "core/subtree.h"
+#include "core/base/random.h"
+#include "core/voronoi/subtree.h"
 #include "tools/render/shown_regions.h"
 
 namespace geolloyd {

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh_graph.h"
-#include "core/partition.h"
-#include "core/tangent_field.h"
+#include "core/graph/mesh_graph.h"
+#include "core/mesh/tangent_field.h"
+#include "core/voronoi/partition.h"
 #include "tools/render/canvas.h"
 
 namespace geolloyd {

@@ -1,6 +1,6 @@
 #include "tools/render/panel.h"
 
-#include "core/errors.h"
+#include "core/base/errors.h"
 
 namespace geolloyd {
 

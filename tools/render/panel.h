@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/names.h"
+#include "tools/cli/names.h"
 
 namespace geolloyd {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tools/embree_scene.h"
+#include "tools/evaluation/embree_scene.h"
 
 namespace geolloyd {
 namespace {

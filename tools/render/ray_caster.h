@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace geolloyd {
 

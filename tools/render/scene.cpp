@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "parallel/primitives.h"
+#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/mesh.h"
-#include "parallel/scheduler.h"
+#include "core/mesh/mesh.h"
+#include "parallel/threads/scheduler.h"
 #include "tools/render/ray_caster.h"
 #include "tools/render/view.h"
 

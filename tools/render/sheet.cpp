@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/errors.h"
-#include "core/file_writer.h"
+#include "core/base/errors.h"
+#include "core/text/file_writer.h"
 
 namespace geolloyd {
 namespace {

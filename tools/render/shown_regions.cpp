@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "parallel/primitives.h"
+#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh_graph.h"
-#include "core/partition.h"
+#include "core/graph/mesh_graph.h"
+#include "core/voronoi/partition.h"
 #include "tools/render/scene.h"
 
 namespace geolloyd {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/errors.h"
-#include "tools/names.h"
+#include "core/base/errors.h"
+#include "tools/cli/names.h"
 
 namespace geolloyd {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "core/bounding_box.h"
+#include "core/base/bounding_box.h"
 
 namespace geolloyd {
 

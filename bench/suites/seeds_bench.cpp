@@ -1,0 +1,77 @@
+// Choosing the first seeds.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "bench/suites/suites.h"
+#include "bench/support/run.h"
+#include "core/seeds/seeds.h"
+#include "core/voronoi/dijkstra.h"
+#include "parallel/engine/growing_search.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::pair<const char*, SeedInit> inits[] = {{"farthest", SeedInit::farthest},
+                                                      {"kmeans++", SeedInit::kmeans_plus_plus}};
+constexpr std::uint64_t random_seed = 1;
+
+std::vector<NodeId> choose(Run& run, SeedInit init, GrowingSearch& search) {
+  Inputs& in = run.inputs();
+  return choose_seeds(in.graph(), in.components(), init, run.seeds(), random_seed, search);
+}
+
+// Different nodes that reach all others.
+bool are_seeds(const Graph& graph, std::vector<NodeId> seeds) {
+  IndexedHeap heap(graph.node_count());
+  std::vector<Key> keys;
+  std::vector<NodeId> settled;
+  std::sort(seeds.begin(), seeds.end());
+  if (std::adjacent_find(seeds.begin(), seeds.end()) != seeds.end()) return false;
+  search_free(graph, seeds, heap, keys, settled);
+  return settled.size() == graph.node_count();
+}
+
+void rate_seeds(Run& run) {
+  run.rate("seeds/s", run.seeds());
+  run.rate("nodes/s", run.inputs().graph().node_count());
+}
+
+void choose_sequentially(Run& run, SeedInit init) {
+  const Graph& graph = run.inputs().graph();
+  run.inputs().components();
+  const auto work = [&] { return choose(run, init, *make_growing_search(graph)); };
+  run.verify("not seeds", [&] {
+    const std::vector<NodeId> seeds = work();
+    return seeds.size() == run.seeds() && are_seeds(graph, seeds);
+  });
+  run.measure(work);
+  rate_seeds(run);
+}
+
+void choose_in_parallel(Run& run, SeedInit init) {
+  const Graph& graph = run.inputs().graph();
+  run.inputs().components();
+  Scheduler scheduler(run.threads());
+  const auto work = [&] { return choose(run, init, *make_growing_search(scheduler, graph)); };
+  run.verify("not the seeds of the sequential twin",
+             [&] { return work() == choose(run, init, *make_growing_search(graph)); });
+  run.measure(work);
+  rate_seeds(run);
+}
+
+}  // namespace
+
+void add_seeds_benchmarks(const BenchMesh& mesh) {
+  for (const auto& [name, init] : inits) {
+    const std::string stage = std::string("seeds/") + name;
+    add_benchmark(stage, mesh, {mesh.usual_seeds, Setting::sequential, {}},
+                  [init = init](Run& run) { choose_sequentially(run, init); });
+    for (const std::size_t threads : thread_ladder()) {
+      add_benchmark(stage, mesh, {mesh.usual_seeds, threads, {}},
+                    [init = init](Run& run) { choose_in_parallel(run, init); });
+    }
+  }
+}
+
+}  // namespace geolloyd

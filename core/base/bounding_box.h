@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "core/base/executor.h"
+#include "core/base/vec3.h"
+
+namespace geolloyd {
+
+/// The smallest box along the axes around some points.
+struct BoundingBox {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+
+  [[nodiscard]] Vec3 extent() const { return high - low; }
+  [[nodiscard]] Vec3 middle() const { return (low + high) / 2; }
+};
+
+/// A box that grows from nothing.
+struct GrowingBox {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  GrowingBox& operator+=(const GrowingBox& more) {
+    low = low.cwiseMin(more.low);
+    high = high.cwiseMax(more.high);
+    return *this;
+  }
+};
+
+/// The box of position_of(i) for i < count. At the origin, and empty, without any.
+template <class Executor, class PositionOf>
+BoundingBox bounding_box_on(Executor& executor, std::size_t count, PositionOf&& position_of) {
+  if (count == 0) return {};
+  const auto box =
+      sum_ranges<GrowingBox>(executor, count, small_items, [&](std::size_t begin, std::size_t end) {
+        GrowingBox part;
+        for (std::size_t i = begin; i < end; ++i) {
+          part.add(position_of(i));
+        }
+        return part;
+      });
+  return {box.low, box.high};
+}
+
+inline BoundingBox bounding_box(std::span<const Vec3> points) {
+  Sequential one;
+  return bounding_box_on(one, points.size(), [&](std::size_t i) { return points[i]; });
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,135 @@
+#include "core/formats/mesh_io.h"
+
+#include "core/base/bounding_box.h"
+#include "core/base/errors.h"
+#include "core/formats/mesh_readers.h"
+#include "core/text/file_io.h"
+
+namespace geolloyd {
+namespace {
+
+LoadedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name) {
+  switch (format) {
+    case MeshFormat::ply:
+      return read_ply(bytes, name);
+    case MeshFormat::obj:
+      return read_obj(bytes, name);
+    case MeshFormat::off:
+      return read_off(bytes, name);
+    case MeshFormat::stl:
+      break;
+  }
+  return read_stl(bytes, name);
+}
+
+void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
+  if (mesh.positions.empty()) fail_at_byte(name, file_size, "the file ends without a vertex");
+  if (mesh.triangles.empty()) {
+    fail_at_byte(name, file_size,
+                 "the file ends without a face; a point cloud has no surface to tessellate");
+  }
+  if (!ids_suffice(mesh.vertex_count(), mesh.triangle_count())) {
+    fail_at_byte(name, file_size, too_many(mesh.vertex_count(), mesh.triangle_count()));
+  }
+}
+
+// Areas are square roots of fourth powers: on a smaller mesh they would all vanish.
+void check_extent(const Mesh& mesh, std::string_view name) {
+  const double widest = bounding_box(mesh.positions).extent().maxCoeff();
+  if (widest > 0 && widest < 1 / largest_coordinate) {
+    throw InvalidInput(std::string(name) + ": the mesh is smaller than 1e-75; scale it up");
+  }
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::filesystem::path& path) {
+  const MeshFormat format = format_of(path);
+  return parse_mesh(format, read_file(path), path.string());
+}
+
+LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name) {
+  if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
+  if (bytes.starts_with("\x1f\x8b\x08"))
+    fail_at_byte(name, 0, "the file is compressed; gunzip it first");
+  LoadedMesh loaded = parse_as(format, bytes, name);
+  check_size(loaded.mesh, bytes.size(), name);
+  check_extent(loaded.mesh, name);
+  return loaded;
+}
+
+MeshFormat format_of(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".obj") return MeshFormat::obj;
+  if (extension == ".off") return MeshFormat::off;
+  if (extension == ".stl") return MeshFormat::stl;
+  throw InvalidInput(path.string() + ": unknown extension " + in_quotes(extension) +
+                     "; .ply, .obj, .off and .stl are understood");
+}
+
+void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {
+  throw InvalidInput(std::string(name) + ": byte " + std::to_string(offset) + ": " + message);
+}
+
+std::string too_many(std::size_t vertices, std::size_t faces) {
+  return std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces; at most " +
+         std::to_string(most_vertices) + " and " + std::to_string(most_triangles) +
+         " fit into 32-bit ids";
+}
+
+std::string bad_coordinate(double coordinate) {
+  if (!std::isfinite(coordinate)) return "a coordinate is not finite";
+  return "a coordinate is beyond 1e75; scale the mesh down";
+}
+
+std::string bad_corner_count(std::int64_t count) {
+  return "the face has " + std::to_string(count) + " corners; it needs at least 3";
+}
+
+std::string bad_index(std::int64_t index, std::size_t vertex_count) {
+  return "vertex index " + std::to_string(index) + " is out of range; there are " +
+         std::to_string(vertex_count) + " vertices, counted from 0";
+}
+
+void check_line_count(const TextCursor& text, std::int64_t count, std::size_t words,
+                      std::string_view what) {
+  if (count < 0) {
+    text.fail("the number of " + std::string(what) + " is negative: " + std::to_string(count));
+  }
+  // A word takes a character and a blank or line end, which the last one may lack.
+  if (static_cast<std::uint64_t>(count) > (text.remaining() + 1) / (2 * words)) {
+    text.fail(std::to_string(count) + " " + std::string(what) +
+              " are promised, but the file ends after " + std::to_string(text.remaining()) +
+              " more bytes");
+  }
+}
+
+double parse_coordinate(const TextCursor& text, std::string_view word) {
+  const auto number = parse_real(word);
+  if (!number) text.fail_expected("a coordinate", word);
+  if (!is_usable(*number)) text.fail(bad_coordinate(*number));
+  return *number;
+}
+
+Vec3 read_position(TextCursor& text) {
+  Vec3 position;
+  for (double& coordinate : position) coordinate = parse_coordinate(text, text.word());
+  return position;
+}
+
+void read_polygon(TextCursor& text, std::size_t vertex_count, std::vector<VertexId>& corners,
+                  LoadedMesh& loaded) {
+  const std::int64_t count = text.integer("the number of corners of a face");
+  if (count < 3) text.fail(bad_corner_count(count));
+  corners.clear();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t index = text.integer("a vertex index");
+    if (static_cast<std::uint64_t>(index) >= vertex_count)
+      text.fail(bad_index(index, vertex_count));
+    corners.push_back(static_cast<VertexId>(index));
+  }
+  add_polygon(loaded, corners);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/text/text_cursor.h"
+
+namespace geolloyd {
+
+// A number type of a PLY file is a zero of the C++ type, so that std::visit leads to code for it.
+using PlyInteger = std::variant<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                                std::int32_t, std::uint32_t>;
+using PlyNumber = std::variant<PlyInteger, float, double>;
+
+/// Calls visit with the zero of `type`.
+template <class Visit>
+decltype(auto) visit_number(Visit&& visit, const PlyNumber& type) {
+  if (const auto* integer = std::get_if<PlyInteger>(&type)) return std::visit(visit, *integer);
+  if (std::holds_alternative<float>(type)) return visit(float{});
+  return visit(double{});
+}
+
+inline std::size_t size_of(const PlyNumber& type) {
+  return visit_number([](auto zero) { return sizeof(zero); }, type);
+}
+
+struct PlyProperty {
+  std::string name;
+  PlyNumber type;                        ///< of the value, or of a list's items
+  std::optional<PlyInteger> count_type;  ///< of a list's count; none where it is no list
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+enum class PlyEncoding { ascii, little_endian, big_endian };
+
+struct PlyHeader {
+  std::optional<PlyEncoding> encoding;
+  std::vector<PlyElement> elements;          ///< in the order of the body
+  std::size_t vertex = 0;                    ///< the element "vertex"
+  std::size_t face = 0;                      ///< the element "face"
+  std::array<std::size_t, 3> coordinates{};  ///< the vertex's properties x, y, z
+  std::size_t corners = 0;                   ///< the face's list of vertex indices
+};
+
+/// Reads to the end of the header and checks that it describes a mesh.
+PlyHeader read_ply_header(TextCursor& text);
+
+}  // namespace geolloyd

@@ -1,0 +1,138 @@
+#include "core/formats/mesh_readers.h"
+
+namespace geolloyd {
+namespace {
+
+// Gives equal points one id, in the order of their first appearance: a hash table with linear
+// probing, at most half full, whose keys are the positions themselves.
+class Welder {
+ public:
+  explicit Welder(LoadedMesh& loaded) : loaded_(loaded) {}
+
+  VertexId id_of(Vec3 point) {
+    point.array() += 0.0;  // -0 becomes 0
+    std::vector<Vec3>& positions = loaded_.mesh.positions;
+    if (2 * positions.size() >= slots_.size()) grow();
+    VertexId& slot = slots_[find(point)];
+    if (slot == no_id) {
+      slot = static_cast<VertexId>(positions.size());
+      positions.push_back(point);
+    } else {
+      ++loaded_.welded_corners;
+    }
+    return slot;
+  }
+
+ private:
+  static std::size_t hash(const Vec3& point) {
+    std::uint64_t bits = 0;
+    for (const double coordinate : point) {
+      bits = (bits ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15;
+      bits ^= bits >> 32;
+    }
+    return bits;
+  }
+
+  // The slot that holds the point, or the empty one where it belongs.
+  [[nodiscard]] std::size_t find(const Vec3& point) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hash(point) & mask;
+    while (slots_[slot] != no_id && loaded_.mesh.positions[slots_[slot]] != point) {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  }
+
+  void grow() {
+    slots_.assign(std::max<std::size_t>(2 * slots_.size(), 1024), no_id);
+    for (std::size_t v = 0; v < loaded_.mesh.vertex_count(); ++v) {
+      slots_[find(loaded_.mesh.positions[v])] = static_cast<VertexId>(v);
+    }
+  }
+
+  LoadedMesh& loaded_;
+  std::vector<VertexId> slots_;
+};
+
+// 80 bytes of anything, the number of triangles, then for each a normal, three corners and two
+// bytes more.
+constexpr std::size_t header_size = 84;
+constexpr std::size_t triangle_size = 50;
+
+std::size_t promised_size(std::string_view bytes) {
+  return header_size + triangle_size * load<std::uint32_t>(bytes.data() + header_size - 4);
+}
+
+LoadedMesh read_binary(std::string_view bytes, std::string_view name) {
+  if (bytes.size() < header_size) {
+    fail_at_byte(name, bytes.size(), "the file ends inside the header of a binary STL");
+  }
+  const std::size_t size = promised_size(bytes);
+  if (bytes.size() < size) {
+    fail_at_byte(name, bytes.size(),
+                 "the file ends here, but its header promises " +
+                     std::to_string((size - header_size) / triangle_size) + " triangles in " +
+                     std::to_string(size) + " bytes");
+  }
+  const std::size_t triangles = (size - header_size) / triangle_size;
+  if (!ids_suffice(0, triangles)) fail_at_byte(name, header_size, too_many(0, triangles));
+  LoadedMesh loaded;
+  loaded.format = "STL, binary";
+  loaded.mesh.triangles.reserve(triangles);
+  Welder welder(loaded);
+  for (std::size_t offset = header_size; offset < size; offset += triangle_size) {
+    const char* corner = bytes.data() + offset + 12;
+    Triangle triangle{};
+    for (VertexId& vertex : triangle) {
+      Vec3 position;
+      for (double& coordinate : position) {
+        coordinate = load<float>(corner);
+        if (!is_usable(coordinate)) fail_at_byte(name, offset, bad_coordinate(coordinate));
+        corner += sizeof(float);
+      }
+      vertex = welder.id_of(position);
+    }
+    loaded.mesh.triangles.push_back(triangle);
+  }
+  return loaded;
+}
+
+LoadedMesh read_ascii(std::string_view bytes, std::string_view name) {
+  LoadedMesh loaded;
+  loaded.format = "STL, ascii";
+  Welder welder(loaded);
+  std::vector<VertexId> corners;
+  TextCursor text(bytes, name);
+  for (text.skip_empty_lines(); !text.at_end(); text.next_line(), text.skip_empty_lines()) {
+    const std::string keyword = lower_case(text.word());
+    if (keyword == "vertex") {
+      corners.push_back(welder.id_of(read_position(text)));
+    } else if (keyword == "endloop") {
+      if (corners.size() < 3) text.fail(bad_corner_count(std::ssize(corners)));
+      add_polygon(loaded, corners);
+      corners.clear();
+    } else if (keyword != "facet" && keyword != "outer" && keyword != "endfacet" &&
+               keyword != "solid" && keyword != "endsolid") {
+      text.fail_expected("a line of an ascii STL", keyword);
+    }
+  }
+  if (!corners.empty()) text.fail("the file ends inside a facet");
+  return loaded;
+}
+
+bool begins_as_ascii(std::string_view bytes, std::string_view name) {
+  TextCursor beginning(bytes.substr(0, 1024), name);
+  beginning.skip_empty_lines();
+  return lower_case(beginning.word()) == "solid";
+}
+
+}  // namespace
+
+LoadedMesh read_stl(std::string_view bytes, std::string_view name) {
+  // Some binary files begin with "solid" too, but then their size gives them away.
+  const bool has_binary_size = bytes.size() >= header_size && bytes.size() == promised_size(bytes);
+  if (!has_binary_size && begins_as_ascii(bytes, name)) return read_ascii(bytes, name);
+  return read_binary(bytes, name);
+}
+
+}  // namespace geolloyd

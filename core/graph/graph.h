@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace geolloyd {
+
+/// Most nodes a graph may have, for sums over them to fit (partition.h, subtree.h, energy.h).
+inline constexpr std::size_t most_nodes = (std::size_t{1} << 30) - 1;
+/// Most arcs, counting both directions: their positions are 32 bits wide, one value means "none".
+inline constexpr std::size_t most_arcs = (std::size_t{1} << 32) - 2;
+/// Most ticks an arc is long, and more than any two connected nodes are apart.
+inline constexpr std::uint32_t most_length = std::uint32_t{1} << 30;
+/// Most ticks of mass that a node has.
+inline constexpr std::uint32_t most_mass = std::numeric_limits<std::uint32_t>::max();
+
+/// An undirected graph as compressed rows, structure of arrays. Each arc is stored at both ends,
+/// with the same length. After construction everything is an integer.
+///
+/// Lengths are in ticks of `tick_length` mesh units, in [1, most_length]; the tick is as fine as it
+/// can be such that the shortest path between any two connected nodes stays below most_length
+/// ticks. (Inside a locked region it may be up to twice as long: partition.h.) Masses are in ticks
+/// of `tick_mass`, the largest being most_mass.
+struct Graph {
+  std::vector<ArcId> first_arc{0};    ///< per node, and one more
+  std::vector<NodeId> target;         ///< per arc; ascending within a node, no repeats, no loops
+  std::vector<std::uint32_t> length;  ///< per arc, ticks
+  std::vector<std::uint32_t> mass;    ///< per node, ticks
+  double tick_length = 1;             ///< mesh units
+  double tick_mass = 1;               ///< square mesh units
+
+  [[nodiscard]] std::size_t node_count() const { return mass.size(); }
+  [[nodiscard]] std::size_t arc_count() const { return target.size(); }
+  [[nodiscard]] std::span<const NodeId> neighbours(NodeId node) const {
+    return {target.data() + first_arc[node], target.data() + first_arc[node + 1]};
+  }
+};
+
+/// One undirected arc before it is put in place; length in mesh units, a number, not negative.
+struct Link {
+  NodeId a;
+  NodeId b;
+  double length;
+};
+
+/// Puts links in place and quantises lengths and masses. Of links between the same two nodes the
+/// shortest stays; links from a node to itself go. Throws InvalidInput where there are more nodes
+/// or arcs than fit, a path of more than most_path_arcs (graph_on.h), or a length or mass so large
+/// that twice the depth of a tree, or an energy, is not finite.
+Graph make_graph(std::span<const Link> links, std::span<const double> masses);
+
+}  // namespace geolloyd

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/graph/arc_length.h"
+#include "core/graph/graph.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/tangent_field.h"
+
+namespace geolloyd {
+
+/// Which parts of the mesh are nodes, and which of them are joined (thesis, the five graphs):
+/// vertex          vertices; arcs along edges
+/// vertex_dense    and between the two vertices opposite a shared edge
+/// triangle        triangles; arcs across shared edges
+/// triangle_dense  and between triangles that share a vertex, by way of it
+/// mixed           vertices and triangles as in the first and third, and each triangle to its
+/// corners
+enum class GraphKind { vertex, vertex_dense, triangle, triangle_dense, mixed };
+
+inline bool has_vertices(GraphKind kind) {
+  return kind == GraphKind::vertex || kind == GraphKind::vertex_dense || kind == GraphKind::mixed;
+}
+inline bool has_triangles(GraphKind kind) {
+  return kind == GraphKind::triangle || kind == GraphKind::triangle_dense ||
+         kind == GraphKind::mixed;
+}
+
+/// A graph and the mesh it came from. Nodes are in spatial order; everything people see speaks
+/// input ids: vertex ids, or triangle ids, or in the mixed graph first the vertices, then triangle
+/// t as vertex_count + t.
+struct MeshGraph {
+  GraphKind kind = GraphKind::vertex;
+  Graph graph;
+  std::vector<std::uint32_t> input_id;  ///< per node
+  std::vector<NodeId> node_of;          ///< per input id; no_id where it has no node (mesh_check.h)
+  std::vector<Vec3> position;           ///< per node: vertex, or barycentre of the triangle
+  std::size_t first_triangle_id = 0;    ///< input ids from here on are triangles
+
+  [[nodiscard]] bool is_triangle(std::uint32_t id) const { return id >= first_triangle_id; }
+};
+
+std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes);
+
+struct MeshGraphOptions {
+  GraphKind kind = GraphKind::vertex;
+  Norm norm = Norm::geodesic;
+  std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
+};
+
+/// Links that the graph is made of, before those between the same two nodes become one. Many
+/// triangles at one edge or vertex make links by the square of their number.
+std::uint64_t count_links(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
+
+/// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
+/// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
+/// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A
+/// non-manifold edge joins all its triangles to each other. Throws InvalidInput where nothing is
+/// left to make a graph of, or 32-bit ids do not suffice.
+MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges,
+                          const MeshGraphOptions& options);
+
+}  // namespace geolloyd

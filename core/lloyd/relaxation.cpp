@@ -1,0 +1,224 @@
+#include "core/lloyd/relaxation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/voronoi/energy.h"
+#include "core/voronoi/fingerprint.h"
+
+namespace geolloyd {
+namespace {
+
+// Above any there can be where there are none.
+Score lowest_score(const std::vector<Step>& steps) {
+  Score lowest = ~Score{0};
+  for (const Step& step : steps) lowest = std::min(lowest, step.score);
+  return lowest;
+}
+
+class LloydLoop {
+ public:
+  LloydLoop(const Graph& graph, Engine& engine, RelaxationState& state,
+            const RelaxationOptions& options, const Observer& observer)
+      : graph_(graph), engine_(engine), state_(state), options_(options), observer_(observer) {}
+
+  Relaxation run(const Boundary& boundary) {
+    std::optional<End> end;
+    while (!(end = take_step())) {
+      if (boundary) boundary(state_);
+    }
+    return finish(*end);
+  }
+
+ private:
+  // A step, and what it makes of the state if it is taken to its end.
+  struct Attempt {
+    Step step;
+    std::vector<NodeId> seeds;
+    std::vector<Score> scores;  // per region at its start, precise phase only
+  };
+
+  // Returns why there is no next step, or none to its end.
+  std::optional<End> take_step() {
+    const Phase phase = next_phase();
+    if (phase == Phase::precise && has_converged()) return End::converged;
+    if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps) return End::limit;
+    if (wanders()) return End::recurred;
+    const Stopwatch watch;
+    const KernelSeconds before = engine_.seconds();
+    begin_step(phase);
+    if (phase == Phase::precise && has_macrostep_from(next_.step.state)) return End::recurred;
+    is_cut_short_ = !(phase == Phase::greedy ? greedy_step() : macrostep());
+    is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0;
+    next_.step.seconds = since(before, engine_.seconds(), watch.seconds());
+    if (is_cut_short_) return End::interrupted;
+    accept_step();
+    return std::nullopt;
+  }
+
+  // The greedy phase ends with the first step in which no seed moves; a seed moves to no node
+  // twice, so one comes.
+  [[nodiscard]] Phase next_phase() const {
+    const std::vector<Step>& steps = state_.steps;
+    const bool is_over =
+        !steps.empty() && (steps.back().phase == Phase::precise || steps.back().seeds_moved == 0);
+    const bool is_greedy =
+        options_.greedy != GreedyMode::off && !is_over && steps.size() < options_.max_greedy_steps;
+    return is_greedy ? Phase::greedy : Phase::precise;
+  }
+
+  [[nodiscard]] bool has_converged() const {
+    return !state_.steps.empty() && state_.steps.back().phase == Phase::precise &&
+           state_.steps.back().seeds_moved == 0;
+  }
+
+  // Each macrostep lowers the score or keeps it. Where it keeps it, as where all masses are 0, the
+  // seeds may wander from one equally good state to the next, more of them than can be met.
+  [[nodiscard]] bool wanders() const {
+    constexpr std::size_t most_in_vain = 100;
+    const std::vector<Step>& steps = state_.steps;
+    if (steps.size() <= most_in_vain) return false;
+    const Step& earlier = steps[steps.size() - 1 - most_in_vain];
+    return earlier.phase == Phase::precise && steps.back().score >= earlier.score;
+  }
+
+  // Counts from 1.
+  [[nodiscard]] std::uint32_t next_number(Phase phase) const {
+    return 1 + static_cast<std::uint32_t>(
+                   std::count_if(state_.steps.begin(), state_.steps.end(),
+                                 [phase](const Step& step) { return step.phase == phase; }));
+  }
+
+  [[nodiscard]] bool has_macrostep_from(std::uint64_t state) const {
+    return std::any_of(state_.steps.begin(), state_.steps.end(), [state](const Step& step) {
+      return step.phase == Phase::precise && step.state == state;
+    });
+  }
+
+  void begin_step(Phase phase) {
+    engine_.partition(state_.seeds);
+    is_partitioned_ = true;
+    next_.seeds = state_.seeds;
+    next_.scores.clear();
+    next_.step = {};
+    next_.step.phase = phase;
+    next_.step.node_visits = graph_.node_count();
+    next_.step.score = total_score();
+    next_.step.energy = to_energy(graph_, next_.step.score);
+    next_.step.state = engine_.state_digest(state_.seeds);
+    if (next_.step.score < lowest_score(state_.steps)) state_.best_seeds = state_.seeds;
+  }
+
+  bool greedy_step() {
+    move_greedily(engine_.greedy_candidates(state_.seeds, extended()));
+    return notify(
+        {Phase::greedy, next_number(Phase::greedy), next_.step.seeds_moved, next_.step.energy});
+  }
+
+  void move_greedily(const std::vector<NodeId>& candidates) {
+    std::vector<bool>& has_been_seed = state_.has_been_seed;
+    has_been_seed.resize(graph_.node_count(), false);
+    for (const NodeId s : state_.seeds) has_been_seed[s] = true;
+    for (std::size_t r = 0; r < candidates.size(); ++r) {
+      if (candidates[r] == no_id || has_been_seed[candidates[r]]) continue;
+      next_.seeds[r] = candidates[r];
+      ++next_.step.seeds_moved;
+    }
+  }
+
+  bool macrostep() {
+    const std::span<const Score> scores = engine_.region_scores();
+    next_.scores.assign(scores.begin(), scores.end());
+    const std::size_t regions = scores.size();
+    std::vector<std::uint8_t> keeps_seed(regions, 0);
+    if (options_.macrostep_skip && !state_.last_scores.empty()) {
+      for (std::size_t r = 0; r < regions; ++r) {
+        keeps_seed[r] = scores[r] == state_.last_scores[r] ? 1 : 0;
+      }
+    }
+    bool goes_on = true;
+    const std::uint32_t number = next_number(Phase::precise);
+    next_.step.microsteps = engine_.macrostep(
+        next_.seeds, {keeps_seed, extended(), options_.microstep_skip},
+        [&](std::uint32_t seeds_moving) {
+          goes_on = goes_on && notify({Phase::precise, number, seeds_moving, next_.step.energy});
+          return goes_on;
+        });
+    for (const Microstep& microstep : next_.step.microsteps) {
+      next_.step.node_visits += microstep.node_visits;
+    }
+    for (std::size_t r = 0; r < regions; ++r) {
+      if (next_.seeds[r] != state_.seeds[r]) ++next_.step.seeds_moved;
+    }
+    return goes_on;
+  }
+
+  void accept_step() {
+    if (next_.step.phase == Phase::precise) state_.has_been_seed.clear();
+    state_.seeds.swap(next_.seeds);
+    state_.last_scores.swap(next_.scores);
+    state_.steps.push_back(std::move(next_.step));
+  }
+
+  Relaxation finish(End end) {
+    Relaxation result;
+    result.end = end;
+    result.steps = state_.steps;
+    result.seeds = state_.seeds;
+    if (is_cut_short_) {
+      result.steps.push_back(next_.step);
+      result.seeds = next_.seeds;
+    }
+    if (!is_partitioned_) engine_.partition(result.seeds);
+    if (end != End::converged && lowest_score(result.steps) < total_score()) {
+      result.seeds = state_.best_seeds;
+      engine_.partition(result.seeds);
+    }
+    result.partition = engine_.current();
+    result.region_score.assign(engine_.region_scores().begin(), engine_.region_scores().end());
+    result.energy = to_energy(graph_, total_score());
+    for (const Step& step : result.steps) {
+      result.fingerprint = chain(result.fingerprint, step.state);
+    }
+    result.fingerprint = chain(result.fingerprint, engine_.state_digest(result.seeds));
+    return result;
+  }
+
+  [[nodiscard]] Score total_score() const {
+    const std::span<const Score> scores = engine_.region_scores();
+    return std::accumulate(scores.begin(), scores.end(), Score{0});
+  }
+
+  [[nodiscard]] bool extended() const { return options_.greedy != GreedyMode::standard; }
+
+  bool notify(const Progress& progress) { return !observer_ || observer_(progress); }
+
+  const Graph& graph_;
+  Engine& engine_;
+  RelaxationState& state_;
+  const RelaxationOptions& options_;
+  const Observer& observer_;
+  bool is_partitioned_ = false;  // the engine holds the partition of the seeds as they are
+  Attempt next_;
+  bool is_cut_short_ = false;
+};
+
+}  // namespace
+
+Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
+                 const RelaxationOptions& options, const Observer& observer,
+                 const Boundary& boundary) {
+  return LloydLoop(graph, engine, state, options, observer).run(boundary);
+}
+
+Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
+                 const RelaxationOptions& options, const Observer& observer) {
+  RelaxationState state;
+  state.seeds = std::move(seeds);
+  return relax(graph, engine, state, options, observer);
+}
+
+}  // namespace geolloyd

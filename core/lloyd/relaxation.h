@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/graph/graph.h"
+#include "core/lloyd/engine.h"
+#include "core/voronoi/partition.h"
+
+namespace geolloyd {
+
+/// The greedy phase: left out, or with the standard or the extended heuristic (seed_move.h). The
+/// precise phase uses the same heuristic, the extended one where there is no greedy phase.
+enum class GreedyMode { off, standard, extended };
+
+/// Options of the relaxation, with the thesis's settings.
+struct RelaxationOptions {
+  static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
+
+  GreedyMode greedy = GreedyMode::extended;
+  bool microstep_skip = true;  ///< changes no result
+  bool macrostep_skip = true;  ///< part of the definition: may, in theory, change the result
+  std::uint32_t max_greedy_steps = no_limit;
+  std::uint32_t max_macrosteps = no_limit;
+};
+
+enum class Phase { greedy, precise };
+
+/// One greedy step, or one macrostep of the precise phase.
+struct Step {
+  Phase phase = Phase::greedy;
+  std::uint32_t seeds_moved = 0;      ///< seeds that end the step elsewhere than they began it
+  std::uint64_t node_visits = 0;      ///< nodes settled by all its searches
+  Score score = 0;                    ///< of the partition at its start, ticks
+  double energy = 0;                  ///< the same in mesh units
+  std::uint64_t state = 0;            ///< digest of the partition at its start
+  std::vector<Microstep> microsteps;  ///< precise phase only
+  KernelSeconds seconds;
+};
+
+/// Why a relaxation ended.
+enum class End {
+  converged,    ///< a macrostep ended with the seeds with which it began
+  interrupted,  ///< the observer asked for it
+  limit,        ///< of steps, in the options
+  recurred      ///< the seeds came back to where they had been before, or 100 macrosteps lowered
+                ///< no score: it would go on for ever, or nearly so
+};
+
+/// A relaxation between two steps: all that the rest of its course depends on, whatever engine
+/// takes it from there.
+struct RelaxationState {
+  std::vector<NodeId> seeds;        ///< with which the next step begins
+  std::vector<NodeId> best_seeds;   ///< those of the lowest score met so far, the earliest of them
+  std::vector<bool> has_been_seed;  ///< per node, in the greedy phase; else empty
+  std::vector<Score> last_scores;   ///< per region at the start of the last macrostep, if any
+  std::vector<Step> steps;          ///< taken so far
+};
+
+struct Relaxation {
+  std::vector<NodeId> seeds;
+  Partition partition;  ///< of `seeds`, regions free
+  std::vector<Score> region_score;
+  double energy = 0;  ///< sum of mass * distance^2, mesh units
+  End end = End::converged;
+  std::vector<Step> steps;
+  std::uint64_t fingerprint = 0;  ///< of the states at the start of each step, and of the last one
+};
+
+/// Where a relaxation stands: after each greedy step, and now and then during a macrostep.
+struct Progress {
+  Phase phase;
+  std::uint32_t step;  ///< counts from 1 in each phase
+  std::uint32_t seeds_moving;
+  double energy;  ///< at the start of the step
+};
+
+/// Returns false to stop as soon as possible. Called by the thread that called relax().
+using Observer = std::function<bool(const Progress&)>;
+
+/// Called after each step that was taken to its end.
+using Boundary = std::function<void(const RelaxationState&)>;
+
+/// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
+/// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. Where it
+/// ends before it has converged, the result is the best state met.
+Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
+                 const RelaxationOptions& options, const Observer& observer = {});
+
+/// The same from any state of it, with the same seeds at first and the same options: course, result
+/// and fingerprint are those of a relaxation never left. Limits may be others; a precise phase that
+/// has begun stays. `state`, at first no more than seeds, becomes that after the last whole step.
+Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
+                 const RelaxationOptions& options, const Observer& observer = {},
+                 const Boundary& boundary = {});
+
+}  // namespace geolloyd

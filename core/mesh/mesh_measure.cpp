@@ -1,0 +1,29 @@
+#include "core/mesh/mesh_measure.h"
+
+namespace geolloyd {
+
+double triangle_area(const Mesh& mesh, const Triangle& triangle) {
+  if (!has_three_vertices(triangle)) return 0;
+  const Vec3& a = mesh.positions[triangle[0]];
+  return 0.5 * norm(cross(mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a));
+}
+
+Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates) {
+  Sequential one;
+  return triangle_areas_on(one, mesh, duplicates);
+}
+
+std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> triangle_area) {
+  std::vector<double> areas(mesh.vertex_count(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (const VertexId v : mesh.triangles[t]) areas[v] += triangle_area[t] / 3;
+  }
+  return areas;
+}
+
+Vec3 barycentre(const Mesh& mesh, TriangleId triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,97 @@
+#include "core/mesh/mesh_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "core/mesh/mesh_measure.h"
+
+namespace geolloyd {
+namespace {
+
+// Edge i lies opposite to corner i.
+std::array<double, 3> edge_lengths(const Mesh& mesh, const Triangle& t) {
+  std::array<double, 3> lengths{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    lengths[i] = norm(mesh.positions[t[(i + 2) % 3]] - mesh.positions[t[(i + 1) % 3]]);
+  }
+  return lengths;
+}
+
+void measure_triangles(const Mesh& mesh, MeshQuality& quality) {
+  if (mesh.triangles.empty()) return;
+  quality.smallest_angle = 60;
+  quality.smallest_quality = 1;
+  double angles = 0;
+  double qualities = 0;
+  double under_30 = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const double angle = smallest_angle(mesh, t);
+    const double q = triangle_quality(mesh, t);
+    quality.smallest_angle = std::min(quality.smallest_angle, angle);
+    quality.smallest_quality = std::min(quality.smallest_quality, q);
+    angles += angle;
+    qualities += q;
+    if (angle < 30) ++under_30;
+  }
+  const auto count = static_cast<double>(mesh.triangle_count());
+  quality.mean_smallest_angle = angles / count;
+  quality.mean_quality = qualities / count;
+  quality.share_under_30 = under_30 / count;
+}
+
+void count_valences(const Mesh& mesh, const MeshEdges& edges, MeshQuality& quality) {
+  std::vector<std::uint32_t> valence(mesh.vertex_count(), 0);
+  std::vector<std::uint8_t> is_inner(mesh.vertex_count(), 1);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (const VertexId v : edges.ends[e]) {
+      ++valence[v];
+      if (edges.corners(e).size() != 2) is_inner[v] = 0;
+    }
+  }
+  std::size_t six = 0;
+  std::size_t nearly_six = 0;
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (valence[v] == 0 || is_inner[v] == 0) continue;
+    ++quality.inner_vertices;
+    if (valence[v] == 6) ++six;
+    if (valence[v] >= 5 && valence[v] <= 7) ++nearly_six;
+  }
+  if (quality.inner_vertices == 0) return;
+  const auto count = static_cast<double>(quality.inner_vertices);
+  quality.share_valence_6 = static_cast<double>(six) / count;
+  quality.share_valence_5_to_7 = static_cast<double>(nearly_six) / count;
+}
+
+}  // namespace
+
+// The arc tangent is exact also where the cosine hardly tells angles apart, and 0 without area.
+double smallest_angle(const Mesh& mesh, const Triangle& triangle) {
+  if (!has_three_vertices(triangle)) return 0;
+  const std::array<double, 3> lengths = edge_lengths(mesh, triangle);
+  const auto apex =
+      static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const Vec3& a = mesh.positions[triangle[apex]];
+  const Vec3 b = mesh.positions[triangle[(apex + 1) % 3]] - a;
+  const Vec3 c = mesh.positions[triangle[(apex + 2) % 3]] - a;
+  return std::atan2(norm(cross(b, c)), dot(b, c)) * (180 / std::numbers::pi);
+}
+
+double triangle_quality(const Mesh& mesh, const Triangle& triangle) {
+  const double area = triangle_area(mesh, triangle);
+  if (area == 0) return 0;
+  const auto [a, b, c] = edge_lengths(mesh, triangle);
+  return 6 / std::sqrt(3.0) * area / ((a + b + c) / 2 * std::max({a, b, c}));
+}
+
+MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges) {
+  MeshQuality quality;
+  measure_triangles(mesh, quality);
+  count_valences(mesh, edges, quality);
+  return quality;
+}
+
+}  // namespace geolloyd

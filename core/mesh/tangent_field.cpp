@@ -1,0 +1,39 @@
+#include "core/mesh/tangent_field.h"
+
+namespace geolloyd {
+namespace {
+
+TangentSpace quarter_turn(const TangentSpace& s) {
+  return {s.bitangent, -s.tangent, s.bitangent_magnitude, s.tangent_magnitude};
+}
+
+TangentSpace mirror_image(const TangentSpace& s) {
+  return {s.tangent, -s.bitangent, s.tangent_magnitude, s.bitangent_magnitude};
+}
+
+double agreement(const TangentSpace& a, const TangentSpace& b) {
+  return dot(a.tangent, b.tangent) + dot(a.bitangent, b.bitangent);
+}
+
+}  // namespace
+
+TangentSpace average(const TangentSpace& a, const TangentSpace& b) {
+  TangentSpace nearest = b;
+  for (TangentSpace turned : {b, mirror_image(b)}) {
+    for (int turn = 0; turn < 4; ++turn) {
+      if (agreement(a, turned) > agreement(a, nearest)) nearest = turned;
+      turned = quarter_turn(turned);
+    }
+  }
+  return {normalized(a.tangent + nearest.tangent), normalized(a.bitangent + nearest.bitangent),
+          (a.tangent_magnitude + nearest.tangent_magnitude) / 2,
+          (a.bitangent_magnitude + nearest.bitangent_magnitude) / 2};
+}
+
+TangentSpace triangle_space(const Triangle& triangle,
+                            const std::vector<TangentSpace>& vertex_space) {
+  return average(average(vertex_space[triangle[0]], vertex_space[triangle[1]]),
+                 vertex_space[triangle[2]]);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/remesh/region_surface.h"
+
+namespace geolloyd {
+
+/// What keeps the dual of a tessellation from being the surface over again.
+enum class ObstacleKind {
+  region,    ///< not a disc, or cut up by the surface's boundary
+  contact,   ///< two regions that do not meet along one curve with two ends, or meet at the
+             ///< boundary more than once
+  triple,    ///< three regions that meet at several corners
+  isolation  ///< a region that no corner touches
+};
+
+struct Obstacle {
+  ObstacleKind kind = ObstacleKind::region;
+  std::array<RegionId, 3> regions = {no_id, no_id, no_id};  ///< whose it is; the first ones
+};
+
+/// The dual of a tessellation: vertex r stands for region r, a triangle for each corner at which
+/// three regions meet, with the orientation of the surface there.
+///
+/// Where there are no obstacles it is homeomorphic to the surface: all regions, the curves where
+/// two meet and the corners where three meet are balls, and so are their intersections with the
+/// boundary (the closed ball property; Edelsbrunner and Shah 1997).
+struct DualMesh {
+  std::vector<Triangle> triangles;    ///< of regions; each different
+  std::vector<std::uint32_t> corner;  ///< per triangle: the surface's triangle it came from
+  std::size_t repeated = 0;           ///< corners left out because their triangle was there
+  std::size_t folded = 0;             ///< triangles that lie on another of opposite orientation
+  std::vector<Obstacle> obstacles;    ///< by kind, then regions ascending
+};
+
+std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind);
+
+DualMesh make_dual(const RegionSurface& surface);
+
+struct SurfaceScan;  // dual_mesh_on.h
+DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan);
+
+/// A position for each region's vertex of the dual: `site`, or, in regions that reach the boundary,
+/// the point of the boundary where it turns most, if it turns by more than 30 degrees, else the
+/// nearest to `site`; of equals, the vertex with the smaller id. So the dual does not shrink from
+/// the boundary.
+std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
+                             const std::vector<Vec3>& site);
+
+/// Triangles of the dual, so placed, that face away from the surface at the corner they stand for.
+std::size_t count_flipped(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
+                          const std::vector<Vec3>& place);
+
+}  // namespace geolloyd

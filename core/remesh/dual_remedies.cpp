@@ -1,0 +1,275 @@
+#include "core/remesh/dual_remedies.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "core/base/disjoint_sets.h"
+
+namespace geolloyd {
+namespace {
+
+using Edge = std::array<PointId, 2>;  // ascending
+using Pair = std::array<RegionId, 2>;
+
+// An edge within a region, and the triangles at it that lie within the region too.
+struct InnerEdge {
+  Edge ends = {no_id, no_id};
+  std::array<std::uint32_t, 2> triangle = {no_id, no_id};
+};
+
+// Some ids, ascending, numbered without gaps.
+class Numbering {
+ public:
+  void add(std::uint32_t id) { ids_.push_back(id); }
+  void close() {
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  }
+  [[nodiscard]] std::size_t size() const { return ids_.size(); }
+  [[nodiscard]] std::uint32_t operator[](std::uint32_t id) const {
+    return static_cast<std::uint32_t>(std::lower_bound(ids_.begin(), ids_.end(), id) -
+                                      ids_.begin());
+  }
+
+ private:
+  std::vector<std::uint32_t> ids_;
+};
+
+// Pieces of curves, and which of them hang together.
+class Curves {
+ public:
+  void add(Edge piece) { number_.emplace(piece, static_cast<std::uint32_t>(number_.size())); }
+  void join(Edge a, Edge b) { joints_.emplace_back(a, b); }
+
+  // Calls visit(part, point) for both ends of each piece.
+  template <class Visit>
+  void for_each_part(Visit&& visit) const {
+    Sequential executor;
+    DisjointSets<Sequential> parts(executor, number_.size());
+    for (const auto& [a, b] : joints_) parts.unite(number_.at(a), number_.at(b));
+    for (const auto& [piece, n] : number_) {
+      for (const PointId p : piece) visit(parts.find(n), p);
+    }
+  }
+
+ private:
+  std::map<Edge, std::uint32_t> number_;
+  std::vector<std::pair<Edge, Edge>> joints_;
+};
+
+class Searching {
+ public:
+  Searching(const RegionSurface& surface, const DualMesh& dual)
+      : surface_(surface), dual_(dual), farthest_(surface.region_count, no_id) {}
+
+  std::vector<Remedy> run() {
+    for (PointId p = 0; p < surface_.region.size(); ++p) {
+      if (region(p) != no_id) improve(farthest_[region(p)], p);
+    }
+    gather();
+    for (const Obstacle& obstacle : dual_.obstacles) {
+      const std::size_t before = remedies_.size();
+      switch (obstacle.kind) {
+        case ObstacleKind::region:
+          close_loops(obstacle);
+          part_boundaries(obstacle);
+          break;
+        case ObstacleKind::contact:
+          part_contact(obstacle);
+          break;
+        case ObstacleKind::triple:
+          add(obstacle, farthest_at_corners(obstacle));
+          break;
+        case ObstacleKind::isolation:
+          break;
+      }
+      for (const RegionId r : obstacle.regions) {
+        if (remedies_.size() == before && r != no_id) add(obstacle, farthest_[r]);
+      }
+    }
+    return std::move(remedies_);
+  }
+
+ private:
+  [[nodiscard]] RegionId region(PointId p) const { return surface_.region[p]; }
+
+  [[nodiscard]] bool is_farther(PointId a, PointId b) const {
+    return std::tie(surface_.distance[a], a) > std::tie(surface_.distance[b], b);
+  }
+
+  // Where a seed for the sake of a point can be put.
+  [[nodiscard]] PointId node_near(PointId p) const {
+    return p < surface_.first_node ? surface_.nearest_node[p] : p;
+  }
+
+  // Another than the region's own.
+  [[nodiscard]] bool is_open(PointId p) const { return surface_.distance[node_near(p)] > 0; }
+
+  void improve(PointId& best, PointId p) const {
+    if (is_open(p) && (best == no_id || is_farther(p, best))) best = p;
+  }
+
+  void add(const Obstacle& obstacle, PointId point) {
+    if (point != no_id) remedies_.push_back({obstacle.regions, node_near(point)});
+  }
+
+  // What the obstacles are about: edges within regions, borders, and boundary.
+  void gather() {
+    std::vector<bool> is_asked(surface_.region_count, false);
+    for (const Obstacle& o : dual_.obstacles) {
+      if (o.kind == ObstacleKind::region) is_asked[o.regions[0]] = true;
+      if (o.kind == ObstacleKind::contact) contacts_[{o.regions[0], o.regions[1]}];
+      if (o.kind == ObstacleKind::triple) corners_[o.regions];
+    }
+    for (std::uint32_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Triangle& t = surface_.triangles[i];
+      const std::array<RegionId, 3> r = {region(t[0]), region(t[1]), region(t[2])};
+      const bool is_inner = r[0] == r[1] && r[1] == r[2];
+      if (!is_inner) gather_border(i, r);
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (r[c] != r[(c + 1) % 3] || r[c] == no_id || !is_asked[r[c]]) continue;
+        within_[r[c]].push_back({ascending(t[c], t[(c + 1) % 3]), {is_inner ? i : no_id, no_id}});
+      }
+    }
+  }
+
+  void gather_border(std::uint32_t i, const std::array<RegionId, 3>& r) {
+    const Triangle& t = surface_.triangles[i];
+    if (!corners_.empty()) {
+      std::array<RegionId, 3> triple = r;
+      std::sort(triple.begin(), triple.end());
+      const auto found = corners_.find(triple);
+      if (found != corners_.end()) found->second.push_back(i);
+    }
+    std::array<Edge, 3> last{};
+    std::array<Curves*, 3> curve = {nullptr, nullptr, nullptr};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [a, b] = ascending(r[c], r[(c + 1) % 3]);
+      const auto found = a == b ? contacts_.end() : contacts_.find({a, b});
+      if (found == contacts_.end()) continue;
+      curve[c] = &found->second;
+      last[c] = ascending(t[c], t[(c + 1) % 3]);
+      curve[c]->add(last[c]);
+      for (std::size_t d = 0; d < c; ++d) {
+        if (curve[d] == curve[c]) curve[c]->join(last[d], last[c]);
+      }
+    }
+  }
+
+  // Each edge once, with the triangles of the region at it.
+  static void merge(std::vector<InnerEdge>& edges) {
+    std::sort(edges.begin(), edges.end(), [](const InnerEdge& a, const InnerEdge& b) {
+      return std::tie(a.ends, a.triangle[0]) < std::tie(b.ends, b.triangle[0]);
+    });
+    std::size_t kept = 0;
+    for (const InnerEdge& e : edges) {
+      if (kept > 0 && edges[kept - 1].ends == e.ends) {
+        edges[kept - 1].triangle[1] = e.triangle[0];
+      } else {
+        edges[kept++] = e;
+      }
+    }
+    edges.resize(kept);
+  }
+
+  // A tree of the nearest edges spans the region's points, a tree across the farthest of the others
+  // its triangles and all that is outside; what is left closes one loop each that nothing fills
+  // (tree and cotree: Erickson and Whittlesey 2005).
+  void close_loops(const Obstacle& obstacle) {
+    std::vector<InnerEdge>& edges = within_[obstacle.regions[0]];
+    merge(edges);
+    std::sort(edges.begin(), edges.end(), [this](const InnerEdge& a, const InnerEdge& b) {
+      return std::tuple(later(a.ends), a.ends) < std::tuple(later(b.ends), b.ends);
+    });
+    Numbering points;
+    Numbering faces;  // triangles, and no_id for all that is outside
+    faces.add(no_id);
+    for (const InnerEdge& e : edges) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        points.add(e.ends[i]);
+        faces.add(e.triangle[i]);
+      }
+    }
+    points.close();
+    faces.close();
+    Sequential executor;
+    DisjointSets<Sequential> tree(executor, points.size());
+    std::vector<InnerEdge> others;
+    for (const InnerEdge& e : edges) {
+      if (!tree.unite(points[e.ends[0]], points[e.ends[1]])) others.push_back(e);
+    }
+    std::reverse(others.begin(), others.end());
+    DisjointSets<Sequential> cotree(executor, faces.size());
+    for (const InnerEdge& e : others) {
+      if (cotree.unite(faces[e.triangle[0]], faces[e.triangle[1]])) continue;
+      PointId remedy = no_id;
+      for (const PointId p : e.ends) improve(remedy, p);
+      add(obstacle, remedy);
+    }
+  }
+
+  // When the second of two points is reached.
+  [[nodiscard]] double later(const Edge& e) const {
+    return std::max(surface_.distance[e[0]], surface_.distance[e[1]]);
+  }
+
+  void part_boundaries(const Obstacle& obstacle) {
+    Curves curves;
+    for (const OddEdge& edge : surface_.odd_edges) {
+      if (edge.triangles != 1) continue;
+      for (const VertexId v : edge.ends) {
+        if (region(v) == obstacle.regions[0]) curves.add({v, v});
+      }
+      if (region(edge.ends[0]) == obstacle.regions[0] &&
+          region(edge.ends[1]) == obstacle.regions[0]) {
+        curves.join({edge.ends[0], edge.ends[0]}, {edge.ends[1], edge.ends[1]});
+      }
+    }
+    add(obstacle, farthest_of_nearest(curves));
+  }
+
+  void part_contact(const Obstacle& obstacle) {
+    const Curves& curves = contacts_.at({obstacle.regions[0], obstacle.regions[1]});
+    add(obstacle, farthest_of_nearest(curves));
+  }
+
+  // Of each curve the point nearest to its seed, of these the farthest; no_id where none has room
+  // for a seed.
+  [[nodiscard]] PointId farthest_of_nearest(const Curves& curves) const {
+    std::map<std::uint32_t, PointId> nearest;
+    curves.for_each_part([&](std::uint32_t part, PointId p) {
+      PointId& best = nearest.emplace(part, no_id).first->second;
+      if (is_open(p) && (best == no_id || is_farther(best, p))) best = p;
+    });
+    PointId farthest = no_id;
+    for (const auto& [part, p] : nearest) {
+      if (p != no_id) improve(farthest, p);
+    }
+    return farthest;
+  }
+
+  [[nodiscard]] PointId farthest_at_corners(const Obstacle& obstacle) const {
+    PointId farthest = no_id;
+    for (const std::uint32_t i : corners_.at(obstacle.regions)) {
+      for (const PointId p : surface_.triangles[i]) improve(farthest, p);
+    }
+    return farthest;
+  }
+
+  const RegionSurface& surface_;
+  const DualMesh& dual_;
+  std::vector<PointId> farthest_;  // per region
+  std::map<RegionId, std::vector<InnerEdge>> within_;
+  std::map<Pair, Curves> contacts_;
+  std::map<std::array<RegionId, 3>, std::vector<std::uint32_t>> corners_;
+  std::vector<Remedy> remedies_;
+};
+
+}  // namespace
+
+std::vector<Remedy> find_remedies(const RegionSurface& surface, const DualMesh& dual) {
+  return Searching(surface, dual).run();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,126 @@
+#include "core/remesh/dual_repair.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "core/remesh/dual_remedies.h"
+
+namespace geolloyd {
+namespace {
+
+class Repairing {
+ public:
+  Repairing(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+            DualisedSeeds flawed, const std::function<bool()>& keep_going)
+      : mesh_graph_(mesh_graph),
+        engine_(engine),
+        dualise_(dualise),
+        result_(std::move(flawed)),
+        keep_going_(keep_going) {}
+
+  DualisedSeeds run() {
+    const std::size_t given = result_.seeds.size();
+    while (!result_.dual.obstacles.empty() && keep_going_()) {
+      if (!add_seeds()) break;
+      dualise_seeds();
+    }
+    if (result_.seeds.size() > given && result_.dual.obstacles.empty()) settle(given);
+    return std::move(result_);
+  }
+
+ private:
+  void dualise_seeds() {
+    engine_.partition(result_.seeds);
+    result_ = dualise_(std::move(result_.seeds));
+  }
+
+  // Those of one obstacle, but no two obstacles that concern the same region: one seed may mend
+  // both.
+  bool add_seeds() {
+    constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
+    std::vector<std::array<RegionId, 3>> taken_by(result_.seeds.size(), nobody);
+    for (const Remedy& remedy : find_remedies(result_.surface, result_.dual)) {
+      const auto is_open = [&](RegionId r) {
+        return r == no_id || taken_by[r] == nobody || taken_by[r] == remedy.regions;
+      };
+      if (!std::all_of(remedy.regions.begin(), remedy.regions.end(), is_open)) continue;
+      for (const RegionId r : remedy.regions) {
+        if (r != no_id) taken_by[r] = remedy.regions;
+      }
+      const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, remedy.point);
+      const auto added = std::span(result_.seeds).subspan(taken_by.size());
+      if (std::find(added.begin(), added.end(), node) == added.end()) result_.seeds.push_back(node);
+    }
+    return result_.seeds.size() > taken_by.size();
+  }
+
+  // Moves the seeds from `first_new` on, and those of the regions they border on, toward the
+  // centroids of their regions. Seeds whose moving brings obstacles back stay.
+  void settle(std::size_t first_new) {
+    constexpr int attempts = 4;
+    std::vector<std::uint8_t> keeps_seed = far_from(first_new);
+    for (int attempt = 0; attempt < attempts && keep_going_(); ++attempt) {
+      std::vector<NodeId> moved = result_.seeds;
+      engine_.partition(moved);
+      engine_.macrostep(moved, {keeps_seed, true, true},
+                        [this](std::uint32_t) { return keep_going_(); });
+      if (moved == result_.seeds) return;
+      engine_.partition(moved);
+      DualisedSeeds settled = dualise_(std::move(moved));
+      if (settled.dual.obstacles.empty()) {
+        result_ = std::move(settled);
+        continue;
+      }
+      for (const Obstacle& obstacle : settled.dual.obstacles) {
+        for (const RegionId r : obstacle.regions) {
+          if (r != no_id) keeps_seed[r] = 1;
+        }
+      }
+    }
+  }
+
+  // Large regions stay as well: their seeds would go a long way, and each step is a search.
+  [[nodiscard]] std::vector<std::uint8_t> far_from(std::size_t first_new) const {
+    const Graph& graph = mesh_graph_.graph;
+    constexpr std::size_t most_nodes = 1 << 13;
+    const std::vector<Key>& key = engine_.current().key;
+    std::vector<std::size_t> nodes(result_.seeds.size(), 0);
+    for (const Key k : key) {
+      if (k != unreached) ++nodes[region_of(k)];
+    }
+    std::vector<std::uint8_t> keeps_seed(result_.seeds.size(), 1);
+    for (NodeId v = 0; v < graph.node_count(); ++v) {
+      if (region_of(key[v]) < first_new || key[v] == unreached) continue;
+      for (const NodeId u : graph.neighbours(v)) keeps_seed[region_of(key[u])] = 0;
+    }
+    for (std::size_t r = 0; r < keeps_seed.size(); ++r) {
+      if (r >= first_new) keeps_seed[r] = 0;
+      if (nodes[r] > most_nodes) keeps_seed[r] = 1;
+    }
+    return keeps_seed;
+  }
+
+  const MeshGraph& mesh_graph_;
+  Engine& engine_;
+  const Dualise& dualise_;
+  DualisedSeeds result_;
+  const std::function<bool()>& keep_going_;
+};
+
+}  // namespace
+
+DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                      const Partition& partition, std::vector<NodeId> seeds) {
+  DualisedSeeds result{std::move(seeds), {}, {}};
+  result.surface = spread_regions(mesh, edges, mesh_graph, partition, result.seeds.size());
+  result.dual = make_dual(result.surface);
+  return result;
+}
+
+DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+                          DualisedSeeds flawed, const std::function<bool()>& keep_going) {
+  return Repairing(mesh_graph, engine, dualise, std::move(flawed), keep_going).run();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/graph/mesh_graph.h"
+#include "core/lloyd/engine.h"
+#include "core/remesh/dual_mesh.h"
+
+namespace geolloyd {
+
+/// Seeds, the surface of their regions, and the dual.
+struct DualisedSeeds {
+  std::vector<NodeId> seeds;  ///< different nodes
+  RegionSurface surface;
+  DualMesh dual;
+};
+
+/// `partition` is that of `seeds`, regions free.
+DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                      const Partition& partition, std::vector<NodeId> seeds);
+
+/// What dualise() gives for seeds whose partition the engine has just found.
+using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
+
+/// Adds seeds where the dual has obstacles (dual_remedies.h), until it has none or nothing more can
+/// be added. Then these seeds and those around them move toward the centroids of their regions, as
+/// far as no obstacle comes back. The seeds that were there stay the first ones, in their order.
+/// `engine` works on mesh_graph's graph; `keep_going` is asked now and then, and ends it with what
+/// it has come to.
+DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+                          DualisedSeeds flawed, const std::function<bool()>& keep_going);
+
+}  // namespace geolloyd

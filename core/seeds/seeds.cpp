@@ -1,0 +1,235 @@
+#include "core/seeds/seeds.h"
+
+#include <algorithm>
+#include <queue>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/random.h"
+#include "core/base/weighted_sampler.h"
+#include "core/voronoi/energy.h"
+#include "core/voronoi/partition.h"
+
+namespace geolloyd {
+namespace {
+
+// Finds the farthest of some nodes, again and again while their keys become lower. Keeps the
+// farthest of each block of them, and looks through a block again only after one of it changed.
+class FarthestNode {
+ public:
+  /// `place` holds one number per node of the graph and is used at `nodes`, which are ascending.
+  FarthestNode(std::span<const NodeId> nodes, const std::vector<Key>& keys,
+               std::vector<std::uint32_t>& place)
+      : nodes_(nodes),
+        keys_(keys),
+        place_(place),
+        farthest_((nodes.size() + block_size - 1) / block_size, no_id),
+        is_stale_(farthest_.size(), 1) {
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = i;
+  }
+
+  void note_changed(std::span<const NodeId> changed) {
+    for (const NodeId v : changed) is_stale_[place_[v] / block_size] = 1;
+  }
+
+  /// The smallest of equals.
+  NodeId find() {
+    NodeId best = nodes_.front();
+    for (std::size_t b = 0; b < farthest_.size(); ++b) {
+      if (is_stale_[b] != 0) look_through(b);
+      if (is_farther(farthest_[b], best)) best = farthest_[b];
+    }
+    return best;
+  }
+
+ private:
+  static constexpr std::size_t block_size = 1024;
+
+  [[nodiscard]] bool is_farther(NodeId a, NodeId b) const {
+    return distance_of(keys_[a]) > distance_of(keys_[b]);
+  }
+
+  void look_through(std::size_t block) {
+    const std::size_t begin = block * block_size;
+    const std::size_t end = std::min(begin + block_size, nodes_.size());
+    farthest_[block] = nodes_[begin];
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      if (is_farther(nodes_[i], farthest_[block])) farthest_[block] = nodes_[i];
+    }
+    is_stale_[block] = 0;
+  }
+
+  std::span<const NodeId> nodes_;
+  const std::vector<Key>& keys_;
+  std::vector<std::uint32_t>& place_;
+  std::vector<NodeId> farthest_;  // per block
+  std::vector<std::uint8_t> is_stale_;
+};
+
+class SeedChooser {
+ public:
+  SeedChooser(const Graph& graph, std::uint64_t random_seed, GrowingSearch& search)
+      : graph_(graph),
+        random_seed_(random_seed),
+        search_(search),
+        sampler_(graph.node_count()),
+        is_chosen_(graph.node_count(), false) {}
+
+  // The nodes with the smallest random numbers: any order of looking gives the same.
+  void choose_random(std::span<const NodeId> nodes, std::size_t count) {
+    std::vector<std::pair<std::uint64_t, NodeId>> drawn;
+    for (const NodeId v : nodes) {
+      if (!is_chosen_[v]) drawn.emplace_back(random_bits(random_seed_, v), v);
+    }
+    const auto end = drawn.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(drawn.begin(), end, drawn.end());
+    for (auto d = drawn.begin(); d != end; ++d) choose(d->second);
+  }
+
+  void choose_by_area(std::span<const NodeId> nodes, std::size_t count) {
+    for (const NodeId v : nodes) sampler_.set(v, graph_.mass[v]);
+    for (; count > 0 && sampler_.total() > 0; --count) {
+      choose(draw());
+      sampler_.set(chosen_.back(), 0);
+    }
+    forget_weights(nodes);
+    choose_random(nodes, count);
+  }
+
+  void choose_farthest(std::span<const NodeId> nodes, std::size_t count) {
+    choose_random(nodes, 1);
+    search_.add(chosen_.back());
+    place_.resize(graph_.node_count());
+    FarthestNode farthest(nodes, search_.keys(), place_);
+    for (--count; count > 0; --count) {
+      choose(farthest.find());
+      farthest.note_changed(search_.add(chosen_.back()));
+    }
+  }
+
+  void choose_plus_plus(std::span<const NodeId> nodes, std::size_t count) {
+    choose_by_area(nodes, 1);
+    weigh(search_.add(chosen_.back()));
+    for (--count; count > 0 && sampler_.total() > 0; --count) {
+      choose(draw());
+      weigh(search_.add(chosen_.back()));
+    }
+    forget_weights(nodes);
+    choose_random(nodes, count);
+  }
+
+  std::vector<NodeId> take() { return std::move(chosen_); }
+
+ private:
+  void choose(NodeId v) {
+    is_chosen_[v] = true;
+    chosen_.push_back(v);
+  }
+
+  void weigh(std::span<const NodeId> nodes) {
+    for (const NodeId v : nodes) {
+      sampler_.set(v, node_score(distance_of(search_.keys()[v]), graph_.mass[v]));
+    }
+  }
+
+  NodeId draw() {
+    const Uint128 place = random_below(random_seed_, draws_++, sampler_.total());
+    return static_cast<NodeId>(sampler_.at(place));
+  }
+
+  void forget_weights(std::span<const NodeId> nodes) {
+    for (const NodeId v : nodes) sampler_.set(v, 0);
+  }
+
+  const Graph& graph_;
+  std::uint64_t random_seed_;
+  std::uint64_t draws_ = 0;
+  GrowingSearch& search_;
+  std::vector<std::uint32_t> place_;  // per node, within its component
+  WeightedSampler sampler_;           // per node; all weights 0 between components
+  std::vector<bool> is_chosen_;
+  std::vector<NodeId> chosen_;
+};
+
+// How many seeds each component gets.
+std::vector<std::size_t> share_out(const Graph& graph, const Components& components,
+                                   std::size_t count) {
+  struct Share {
+    std::uint64_t mass;
+    std::size_t seeds;
+    std::size_t component;
+    bool operator<(const Share& other) const {  // less mass per seed, then later component
+      const Uint128 mine = Uint128{mass} * other.seeds;
+      const Uint128 others = Uint128{other.mass} * seeds;
+      return mine != others ? mine < others : component > other.component;
+    }
+  };
+  std::priority_queue<Share> shares;
+  std::vector<std::size_t> seeds(components.size(), 1);
+  const auto offer = [&](std::size_t c, std::uint64_t mass) {
+    if (seeds[c] < components.nodes(c).size()) shares.push({mass, seeds[c], c});
+  };
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    std::uint64_t mass = 0;
+    for (const NodeId v : components.nodes(c)) mass += graph.mass[v];
+    offer(c, mass);
+  }
+  for (std::size_t left = count - components.size(); left > 0; --left) {
+    const Share most = shares.top();
+    shares.pop();
+    ++seeds[most.component];
+    offer(most.component, most.mass);
+  }
+  return seeds;
+}
+
+void check_count(const Graph& graph, const Components& components, std::size_t count) {
+  if (count < components.size()) {
+    throw InvalidInput("the graph has " + std::to_string(components.size()) +
+                       " connected components, and each needs a seed: ask for at least " +
+                       std::to_string(components.size()) + " seeds instead of " +
+                       std::to_string(count));
+  }
+  if (count > graph.node_count()) {
+    throw InvalidInput("more seeds (" + std::to_string(count) + ") than graph nodes (" +
+                       std::to_string(graph.node_count()) +
+                       "): ask for fewer seeds, or subdivide the mesh");
+  }
+}
+
+}  // namespace
+
+std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
+                                 std::size_t count, std::uint64_t random_seed) {
+  return choose_seeds(graph, components, init, count, random_seed, *make_growing_search(graph));
+}
+
+std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
+                                 std::size_t count, std::uint64_t random_seed,
+                                 GrowingSearch& search) {
+  check_count(graph, components, count);
+  const std::vector<std::size_t> share = share_out(graph, components, count);
+  SeedChooser chooser(graph, random_seed, search);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const std::span<const NodeId> nodes = components.nodes(c);
+    switch (init) {
+      case SeedInit::random:
+        chooser.choose_random(nodes, share[c]);
+        break;
+      case SeedInit::random_area:
+        chooser.choose_by_area(nodes, share[c]);
+        break;
+      case SeedInit::farthest:
+        chooser.choose_farthest(nodes, share[c]);
+        break;
+      case SeedInit::kmeans_plus_plus:
+        chooser.choose_plus_plus(nodes, share[c]);
+        break;
+    }
+  }
+  return chooser.take();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,189 @@
+#include "parallel/engine/free_partition.h"
+
+#include <algorithm>
+
+#include "core/base/stopwatch.h"
+#include "core/voronoi/dijkstra.h"
+#include "core/voronoi/fingerprint.h"
+#include "parallel/threads/primitives.h"
+
+namespace geolloyd {
+namespace {
+
+std::vector<RegionId> regions_where(const std::vector<std::uint8_t>& flags, bool set) {
+  std::vector<RegionId> regions;
+  for (RegionId r = 0; r < flags.size(); ++r) {
+    if ((flags[r] != 0) == set) regions.push_back(r);
+  }
+  return regions;
+}
+
+}  // namespace
+
+FreePartition::FreePartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
+                             KernelSeconds& seconds)
+    : scheduler_(scheduler),
+      graph_(graph),
+      frontier_(frontier),
+      delta_stepping_(scheduler, graph),
+      seconds_(seconds),
+      branch_of_(graph.node_count()),
+      sums_{std::vector<std::uint64_t>(graph.node_count()),
+            std::vector<std::uint64_t>(graph.node_count())} {
+  partition_.parent.resize(graph.node_count());
+}
+
+void FreePartition::update(std::span<const NodeId> seeds) {
+  {
+    const Timed timed(seconds_.free_search);
+    const bool repairable = can_repair(seeds);
+    has_partition_ = false;  // until it has, whatever is thrown
+    if (repairable) {
+      search_from_last(seeds);
+    } else {
+      search_from_scratch(seeds);
+    }
+    seeds_.assign(seeds.begin(), seeds.end());
+  }
+  {
+    const Timed timed(seconds_.gathering);
+    find_members(scheduler_, partition_.key, seeds.size(), members_);
+  }
+  derive_changed();
+  has_partition_ = true;
+}
+
+std::vector<RegionId> FreePartition::update_sums() {
+  const Timed timed(seconds_.subtree_sums);
+  std::vector<RegionId> regions = regions_where(has_sums_, false);
+  find_branches(scheduler_, graph_, seeds_, partition_, members_,
+                cut_into_pieces(members_, regions), branch_of_, sums_);
+  has_sums_.assign(seeds_.size(), 1);
+  return regions;
+}
+
+std::uint64_t FreePartition::digest_of_nodes() const {
+  std::uint64_t sum = digest_of_unreached_;
+  for (const std::uint64_t d : totals_.digest) sum += d;
+  return sum;
+}
+
+void FreePartition::moved_to(std::span<const NodeId> seeds) {
+  for (RegionId r = 0; r < seeds.size(); ++r) {
+    if (seeds[r] == seeds_[r]) continue;
+    seeds_[r] = seeds[r];
+    is_changed_[r] = 1;
+    has_sums_[r] = 0;
+  }
+  has_partition_ = true;
+}
+
+// Seeds that moved within their regions, and further seeds, leave upper bounds to start from.
+bool FreePartition::can_repair(std::span<const NodeId> seeds) const {
+  if (!has_partition_ || seeds.size() < seeds_.size()) return false;
+  if (frontier_ == Frontier::heap || frontier_ == Frontier::delta) return false;
+  for (RegionId r = 0; r < seeds_.size(); ++r) {
+    if (region_of(partition_.key[seeds[r]]) != r) return false;
+  }
+  for (const NodeId further : seeds.subspan(seeds_.size())) {
+    if (partition_.key[further] == unreached) return false;
+  }
+  return true;
+}
+
+void FreePartition::search_from_scratch(std::span<const NodeId> seeds) {
+  if (frontier_ == Frontier::heap) {
+    IndexedHeap heap(graph_.node_count());
+    std::vector<NodeId> settled;
+    search_free(graph_, seeds, heap, partition_.key, settled);
+  } else {
+    delta_stepping_.search(seeds, partition_.key);
+  }
+  sum_unreached();
+  is_changed_.assign(seeds.size(), 1);
+  has_sums_.assign(seeds.size(), 0);
+  totals_.score.assign(seeds.size(), 0);
+  totals_.digest.assign(seeds.size(), 0);
+}
+
+void FreePartition::sum_unreached() {
+  digest_of_unreached_ = sum_ranges<std::uint64_t>(
+      scheduler_, graph_.node_count(), 1 << 15, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t v = begin; v < end; ++v) {
+          if (partition_.key[v] != unreached) continue;
+          partition_.parent[v] = no_id;
+          sum += digest(static_cast<NodeId>(v), unreached, no_id);
+        }
+        return sum;
+      });
+}
+
+void FreePartition::search_from_last(std::span<const NodeId> seeds) {
+  std::vector<RegionId> moved;
+  for (RegionId r = 0; r < seeds_.size(); ++r) {
+    if (seeds[r] == seeds_[r]) continue;
+    moved.push_back(r);
+    is_changed_[r] = 1;
+  }
+  shift_keys(moved, seeds);
+  plant(seeds);
+  const std::vector<RegionId> suspects = regions_where(is_changed_, true);
+  add_regions(seeds.size());
+  delta_stepping_.repair(members_, cut_into_pieces(members_, suspects), partition_.key,
+                         is_changed_);
+}
+
+// Where a seed moved within its region, no node is farther than it was plus the way back to the old
+// seed, and those in the subtree of the new one are nearer by as much.
+void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const NodeId> seeds) {
+  struct Shift {
+    std::uint32_t way = 0;
+    std::vector<std::uint8_t> below;  // per branch, where known
+  };
+  std::vector<Shift> shift_of(moved.size());
+  std::vector<std::uint32_t> place(seeds.size());
+  for_items(scheduler_, moved.size(), 64, [&](std::size_t i) {
+    const RegionId r = moved[i];
+    place[r] = static_cast<std::uint32_t>(i);
+    shift_of[i].way = distance_of(partition_.key[seeds[r]]);
+    if (has_sums_[r] != 0) {
+      find_branches_below(graph_, partition_, seeds_[r], branch_of_, seeds[r], shift_of[i].below);
+    }
+  });
+  const std::vector<Piece> pieces = cut_into_pieces(members_, moved);
+  for_items(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
+    const Shift& shift = shift_of[place[pieces[i].region]];
+    for (const NodeId v : nodes_of(members_, pieces[i])) {
+      Key& key = partition_.key[v];
+      key = bound_after_move(key, branch_of_[v], shift.below, shift.way);
+    }
+  });
+  for (const RegionId r : moved) partition_.key[seeds[r]] = make_key(0, r);
+}
+
+// Seeds beyond those that there were take their nodes from other regions.
+void FreePartition::plant(std::span<const NodeId> seeds) {
+  for (std::size_t r = seeds_.size(); r < seeds.size(); ++r) {
+    Key& key = partition_.key[seeds[r]];
+    if (region_of(key) < seeds_.size()) is_changed_[region_of(key)] = 1;
+    key = make_key(0, static_cast<RegionId>(r));
+  }
+}
+
+void FreePartition::add_regions(std::size_t count) {
+  is_changed_.resize(count, 1);
+  has_sums_.resize(count, 0);
+  totals_.score.resize(count, 0);
+  totals_.digest.resize(count, 0);
+}
+
+void FreePartition::derive_changed() {
+  const std::vector<RegionId> changed = regions_where(is_changed_, true);
+  derive_parents_and_totals(scheduler_, graph_, members_, cut_into_pieces(members_, changed),
+                            partition_, totals_, seconds_);
+  for (const RegionId r : changed) has_sums_[r] = 0;
+  is_changed_.assign(seeds_.size(), 0);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,84 @@
+#include "parallel/engine/members.h"
+
+#include <algorithm>
+
+#include "parallel/threads/primitives.h"
+
+namespace geolloyd {
+namespace {
+
+// Each thread counts and places the nodes of one block. A block needs a counter per region, which
+// does not pay where regions are few nodes each.
+std::size_t choose_block_size(Scheduler& scheduler, std::size_t nodes, std::size_t regions) {
+  constexpr std::size_t nodes_per_counter = 4;
+  const std::size_t blocks =
+      std::clamp<std::size_t>(nodes / (nodes_per_counter * regions + 1), 1, scheduler.threads());
+  return (nodes + blocks) / blocks;
+}
+
+}  // namespace
+
+void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
+                  Members& members) {
+  const std::size_t size = choose_block_size(scheduler, keys.size(), regions);
+  const std::size_t blocks = (keys.size() + size - 1) / size;
+  // By block and region: first the number of nodes there, then where the next of them goes.
+  std::vector<NodeId> slot(blocks * regions, 0);
+  for_ranges(scheduler, keys.size(), size, [&](std::size_t begin, std::size_t end, std::size_t) {
+    NodeId* const count = slot.data() + begin / size * regions;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (keys[v] != unreached) ++count[region_of(keys[v])];
+    }
+  });
+
+  members.first.resize(regions + 1);
+  NodeId total = 0;
+  for (std::size_t r = 0; r < regions; ++r) {
+    members.first[r] = total;
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const NodeId count = slot[b * regions + r];
+      slot[b * regions + r] = total;
+      total += count;
+    }
+  }
+  members.first[regions] = total;
+
+  members.node.resize(total);
+  for_ranges(scheduler, keys.size(), size, [&](std::size_t begin, std::size_t end, std::size_t) {
+    NodeId* const next = slot.data() + begin / size * regions;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (keys[v] != unreached) members.node[next[region_of(keys[v])]++] = static_cast<NodeId>(v);
+    }
+  });
+}
+
+std::span<const NodeId> nodes_of(const Members& members, const Piece& piece) {
+  return {members.node.data() + piece.begin, members.node.data() + piece.end};
+}
+
+bool is_whole(const Members& members, const Piece& piece) {
+  return piece.end - piece.begin == members.of(piece.region).size();
+}
+
+std::size_t grain_of(std::span<const Piece> pieces) {
+  constexpr std::size_t nodes_a_task = 2048;
+  std::size_t nodes = 1;
+  for (const Piece& p : pieces) nodes += p.end - p.begin;
+  return std::max<std::size_t>(nodes_a_task * pieces.size() / nodes, 1);
+}
+
+std::vector<Piece> cut_into_pieces(const Members& members, std::span<const RegionId> regions) {
+  constexpr NodeId most_nodes_a_piece = 4096;
+  std::vector<Piece> pieces;
+  pieces.reserve(regions.size());
+  for (const RegionId r : regions) {
+    for (NodeId begin = members.first[r]; begin < members.first[r + 1];) {
+      const NodeId end = std::min(begin + most_nodes_a_piece, members.first[r + 1]);
+      pieces.push_back({r, begin, end});
+      begin = end;
+    }
+  }
+  return pieces;
+}
+
+}  // namespace geolloyd

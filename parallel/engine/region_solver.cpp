@@ -1,0 +1,204 @@
+#include "parallel/engine/region_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "core/voronoi/forest.h"
+#include "parallel/threads/atomic_key.h"
+
+namespace geolloyd {
+
+void RegionSolver::gather(const Graph& graph, const std::vector<Key>& keys,
+                          std::span<const NodeId> nodes, std::vector<NodeId>& local_of,
+                          Scheduler* shared) {
+  laps_.begin(weight_of_time(nodes.size(), shared));
+  copy_region(graph, keys, nodes, local_of, local_);
+  shared_ = shared != nullptr ? std::make_unique<SharedSearch>(*shared, local_.graph) : nullptr;
+  laps_.end(seconds_.gathering);
+}
+
+// Counts the time of all threads. Small regions are settled in little more time than it takes to
+// measure that, so every eighth of them stands for all.
+double RegionSolver::weight_of_time(std::size_t nodes, const Scheduler* shared) {
+  constexpr std::size_t small = 512;
+  constexpr std::size_t every = 8;
+  if (shared != nullptr) return static_cast<double>(shared->threads());
+  if (nodes >= small) return 1;
+  return small_regions_++ % every == 0 ? every : 0;
+}
+
+void RegionSolver::scatter_keys(RegionId region, std::vector<Key>& keys) {
+  for (NodeId v = 0; v < local_.size(); ++v) {
+    store_key(keys[local_.node[v]], make_key(distance_of(local_.partition.key[v]), region));
+  }
+  laps_.end(seconds_.gathering);
+}
+
+RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
+  extended_ = extended;
+  const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
+  auto at = static_cast<NodeId>(place - local_.node.begin());
+  begin(at, score);
+  std::uint32_t moves = 0;
+  while (goes_on_()) {
+    NodeId next = lower_neighbour(local_.graph, local_.partition.key, score_, at);
+    if (next == no_id) {
+      stand_at(at);
+      next = best_promise();
+    }
+    if (next == no_id) break;
+    if (score_[next] == never_scored) score_[next] = score_of(next);
+    at = next;
+    ++moves;
+  }
+  laps_.end(seconds_.movement);
+  return {local_.node[at], moves};
+}
+
+void RegionSolver::begin(NodeId seed, Score score) {
+  const std::size_t nodes = local_.size();
+  score_.assign(nodes, never_scored);
+  ahead_.assign(nodes, never_scored);
+  score_[seed] = score;
+  if (order_.size() < nodes) {  // the last to grow
+    all_.resize(nodes);
+    std::iota(all_.begin(), all_.end(), NodeId{0});
+    branch_of_.resize(nodes);
+    sums_.cost.resize(nodes);
+    sums_.mass.resize(nodes);
+    order_.resize(nodes);
+  }
+  stand_ = no_id;
+  sources_.clear();
+  laps_.end(seconds_.gathering);
+}
+
+void RegionSolver::stand_at(NodeId node) {
+  if (stand_ == node) return;
+  if (stand_ != no_id) move_keys_to(node);  // else they are there already
+  stand_ = node;
+  sources_.clear();
+  weigh_neighbours();
+}
+
+void RegionSolver::move_keys_to(NodeId node) {
+  if (shared_) {
+    if (shared_->source() != node) search_shared(node);
+    shared_->swap_keys(local_.partition.key);
+    return;
+  }
+  auto source = std::find(sources_.begin(), sources_.end(), node);
+  if (source == sources_.end()) {
+    sources_.assign(1, node);
+    search_from_sources();
+    source = sources_.begin();
+  }
+  const auto lane = static_cast<std::size_t>(source - sources_.begin());
+  for (NodeId v = 0; v < local_.size(); ++v) {
+    local_.partition.key[v] = make_key(lanes_.distance(v, lane), 0);
+  }
+  laps_.end(seconds_.locked_search);
+}
+
+void RegionSolver::find_sums() {
+  const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
+  if (shared_) {
+    shared_->derive_parents(local_.partition);
+  } else {
+    derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
+  }
+  laps_.end(seconds_.locked_search);
+  if (shared_) {
+    shared_->find_sums(stand_, local_.partition, branch_of_, sums_);
+  } else {
+    find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
+  }
+  laps_.end(seconds_.subtree_sums);
+}
+
+void RegionSolver::weigh_neighbours() {
+  find_sums();
+  const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
+  promises_.clear();
+  for (const NodeId v : local_.graph.neighbours(stand_)) {
+    if (score_[v] == never_scored) promises_.push_back({heuristic(view, stand_, v), v});
+  }
+  std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
+    return a.heuristic != b.heuristic ? a.heuristic > b.heuristic : a.node < b.node;
+  });
+  laps_.end(seconds_.movement);
+}
+
+NodeId RegionSolver::best_promise() const {
+  for (const Promise& p : promises_) {
+    if (score_[p.node] == never_scored) return p.node;
+  }
+  return no_id;
+}
+
+Score RegionSolver::score_of(NodeId node) {
+  if (shared_) {
+    search_shared(node);
+    const Score score = shared_->score();
+    laps_.end(seconds_.scoring);
+    return score;
+  }
+  if (ahead_[node] == never_scored) look_ahead(node);
+  return ahead_[node];
+}
+
+void RegionSolver::search_shared(NodeId source) {
+  shared_->run(local_.partition, stand_, branch_of_, source);
+  laps_.end(seconds_.locked_search);
+}
+
+// Fills the lanes with `node` and what may follow it.
+void RegionSolver::look_ahead(NodeId node) {
+  sources_.assign(1, node);
+  for (const Promise& p : promises_) {
+    if (sources_.size() == LaneSearch::lanes) break;
+    const bool wanted = score_[p.node] == never_scored && ahead_[p.node] == never_scored;
+    if (wanted && p.node != node) sources_.push_back(p.node);
+  }
+  search_from_sources();
+  const auto scores = lanes_.scores(local_.graph);
+  for (std::size_t j = 0; j < sources_.size(); ++j) ahead_[sources_[j]] = scores[j];
+  laps_.end(seconds_.scoring);
+}
+
+void RegionSolver::search_from_sources() {
+  find_order();
+  offset_.resize(local_.graph.neighbours(stand_).size() + 1);
+  for (std::size_t j = 0; j < LaneSearch::lanes; ++j) offset_lane(j);
+  lanes_.run(local_.graph, sources_, {local_.partition.key, branch_of_, offset_},
+             std::span(order_).first(local_.size()));
+  laps_.end(seconds_.locked_search);
+}
+
+// From a neighbour of the stand, what is in its subtree is nearer by its distance, and the rest
+// farther by that at most. From any other node all may be farther. Idle lanes do as the first.
+void RegionSolver::offset_lane(std::size_t lane) {
+  const NodeId source = sources_[lane < sources_.size() ? lane : 0];
+  const std::uint32_t distance = distance_of(local_.partition.key[source]);
+  find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
+  for (std::size_t b = 0; b < below_.size(); ++b) {
+    offset_[b].d[lane] = below_[b] != 0 ? 0 - distance : distance;
+  }
+  offset_.back().d[lane] = distance;
+}
+
+// Sorts by distance, but for what falls into the same of as many buckets as nodes.
+void RegionSolver::find_order() {
+  const std::vector<Key>& keys = local_.partition.key;
+  std::uint32_t bits = 0;
+  for (const Key key : keys) bits |= distance_of(key);
+  const auto bucket_bits = static_cast<unsigned>(std::bit_width(keys.size()));
+  const unsigned shift = std::max<unsigned>(std::bit_width(bits), bucket_bits) - bucket_bits;
+  bucket_.assign((std::size_t{1} << bucket_bits) + 1, 0);
+  for (const Key key : keys) ++bucket_[(distance_of(key) >> shift) + 1];
+  for (std::size_t b = 1; b < bucket_.size(); ++b) bucket_[b] += bucket_[b - 1];
+  for (NodeId v = 0; v < keys.size(); ++v) order_[bucket_[distance_of(keys[v]) >> shift]++] = v;
+}
+
+}  // namespace geolloyd

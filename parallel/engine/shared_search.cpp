@@ -1,0 +1,64 @@
+#include "parallel/engine/shared_search.h"
+
+#include <numeric>
+
+#include "core/voronoi/forest.h"
+#include "parallel/threads/primitives.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+}  // namespace
+
+SharedSearch::SharedSearch(Scheduler& scheduler, const Graph& graph)
+    : scheduler_(scheduler),
+      graph_(graph),
+      delta_stepping_(scheduler, graph),
+      keys_(graph.node_count()) {
+  members_.first = {0, static_cast<NodeId>(graph.node_count())};
+  members_.node.resize(graph.node_count());
+  std::iota(members_.node.begin(), members_.node.end(), NodeId{0});
+  constexpr RegionId only = 0;
+  pieces_ = cut_into_pieces(members_, {&only, 1});
+}
+
+void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
+                       NodeId source) {
+  source_ = source;
+  const std::uint32_t distance = distance_of(partition.key[source]);
+  std::vector<std::uint8_t> below;
+  find_branches_below(graph_, partition, stand, branch_of, source, below);
+  for_items(scheduler_, keys_.size(), grain, [&](std::size_t v) {
+    keys_[v] = bound_after_move(partition.key[v], branch_of[v], below, distance);
+  });
+  keys_[source] = make_key(0, 0);
+  std::vector<std::uint8_t> is_changed(1);
+  delta_stepping_.repair(members_, pieces_, keys_, is_changed);
+}
+
+void SharedSearch::derive_parents(Partition& partition) {
+  for_items(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
+    geolloyd::derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]),
+                             partition.parent);
+  });
+}
+
+void SharedSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
+                             SubtreeSums& sums) {
+  find_branches(scheduler_, graph_, {&stand, 1}, partition, members_, pieces_, branch_of, sums);
+}
+
+Score SharedSearch::score() const {
+  return sum_ranges<Score>(scheduler_, keys_.size(), grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             Score sum = 0;
+                             for (std::size_t v = begin; v < end; ++v) {
+                               sum += node_score(distance_of(keys_[v]), graph_.mass[v]);
+                             }
+                             return sum;
+                           });
+}
+
+}  // namespace geolloyd

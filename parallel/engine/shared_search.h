@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/graph/graph.h"
+#include "core/voronoi/energy.h"
+#include "core/voronoi/partition.h"
+#include "parallel/engine/branches.h"
+#include "parallel/engine/delta_stepping.h"
+#include "parallel/engine/members.h"
+#include "parallel/threads/scheduler.h"
+
+namespace geolloyd {
+
+/// Shortest distances over one large graph from one source at a time, by all threads: what lanes
+/// (lane_search.h) are to small regions. The bounds to start from are the same.
+class SharedSearch {
+ public:
+  SharedSearch(Scheduler& scheduler, const Graph& graph);
+
+  /// Distances from `source`, given those from `stand` and its branches (branches.h).
+  void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
+
+  /// Parents of `partition` from its keys.
+  void derive_parents(Partition& partition);
+  /// The branches of `stand`, and the subtree sums at its neighbours.
+  void find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of, SubtreeSums& sums);
+
+  // Of the last run:
+  [[nodiscard]] NodeId source() const { return source_; }
+  [[nodiscard]] Score score() const;
+  void swap_keys(std::vector<Key>& keys) {
+    keys_.swap(keys);
+    source_ = no_id;
+  }
+
+ private:
+  Scheduler& scheduler_;
+  const Graph& graph_;
+  DeltaStepping delta_stepping_;
+  Members members_;  // one region: all nodes
+  std::vector<Piece> pieces_;
+  std::vector<Key> keys_;
+  NodeId source_ = no_id;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,369 @@
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/formats/mesh_io.h"
+#include "core/mesh/mesh_topology.h"
+#include "core/text/file_io.h"
+#include "tests/support/program.h"
+#include "tests/support/sanitizers.h"
+#include "tools/system/build_facts.h"
+
+namespace geolloyd {
+namespace {
+
+nlohmann::json report_in(const fs::path& folder) {
+  return nlohmann::json::parse(read_file(folder / "report.json"));
+}
+
+TEST_F(Program, RelaxWritesAllItsResults) {
+  const Outcome outcome = relax("--seeds 20");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("converged"), std::string::npos);
+
+  const auto seeds = lines_of(out() / "seeds.csv");
+  ASSERT_EQ(seeds.size(), 21U);
+  EXPECT_EQ(seeds[0], "input_id,kind,x,y,z,nodes,area,energy");
+  const auto regions = lines_of(out() / "regions.csv");
+  EXPECT_EQ(regions[0], "input_id,kind,region,distance");
+  const Mesh mesh = read_mesh(mesh_).mesh;
+  EXPECT_EQ(regions.size(), mesh.vertex_count() + 1);
+
+  const Mesh written = read_mesh(out() / "tessellation.ply").mesh;
+  EXPECT_EQ(written.triangles, mesh.triangles);
+  EXPECT_EQ(written.positions, mesh.positions);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out())) ++files;
+  EXPECT_EQ(files, 5U);
+}
+
+TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
+  ASSERT_EQ(relax("--seeds 20 --random-seed 7").status, 0);
+  const nlohmann::json report = report_in(out());
+  EXPECT_EQ(report["fingerprint"].get<std::string>().size(), 16U);
+  EXPECT_GT(report["energy"], 0);
+  EXPECT_GT(report["energy_ratio_hexagonal"], 0.9);
+  EXPECT_LT(report["energy_ratio_hexagonal"], 1.6);
+  for (const char* key : {"load", "graph", "seeds", "relax", "write", "total"}) {
+    EXPECT_GE(report["seconds"][key], 0) << key;
+  }
+  for (const char* key : {"greedy", "macro", "micro", "partitions", "node_visits"}) {
+    EXPECT_GT(report["steps"][key], 0) << key;
+  }
+  EXPECT_GT(report["peak_memory_bytes"], 1000000);
+  EXPECT_EQ(report["input"]["triangles"], 2000);
+  EXPECT_EQ(report["options"]["random_seed"], 7);
+  EXPECT_EQ(report["interrupted"], false);
+  EXPECT_EQ(report["end"], "converged");
+  const std::size_t steps =
+      report["steps"]["greedy"].get<std::size_t>() + report["steps"]["macro"].get<std::size_t>();
+  EXPECT_EQ(report["trace"].size(), steps);
+}
+
+TEST_F(Program, RemeshIsAManifoldOfTheInputsTopology) {
+  for (const std::string vertices : {"seeds", "centroids"}) {
+    const Outcome outcome = relax("--seeds 2 -g mixed --remesh-vertices " + vertices);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find("manifold"), std::string::npos) << outcome.text;
+    const Mesh remesh = read_mesh(out() / "remesh.ply").mesh;
+    const MeshTopology topology = find_topology(remesh, find_edges(remesh));
+    EXPECT_TRUE(topology.is_manifold());
+    EXPECT_EQ(topology.parts, (std::vector<PartTopology>{{0, 0}}));
+    const nlohmann::json told = report_in(out())["remesh"];
+    EXPECT_EQ(told["vertices"], remesh.vertex_count());
+    EXPECT_EQ(told["seeds_added"], remesh.vertex_count() - 2);
+    EXPECT_EQ(told["is_manifold_of_input_topology"], true);
+    EXPECT_EQ(told["topology"], told["input_topology"]);
+    EXPECT_TRUE(told["flaw"].is_null());
+  }
+}
+
+TEST_F(Program, TellsWhyTheRemeshIsNoManifold) {
+  const Outcome outcome = relax("--seeds 2 --no-manifold");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("NO MANIFOLD"), std::string::npos) << outcome.text;
+  const nlohmann::json told = report_in(out())["remesh"];
+  EXPECT_EQ(told["is_manifold_of_input_topology"], false);
+  EXPECT_NE(told["flaw"].get<std::string>().find("--no-manifold"), std::string::npos);
+  EXPECT_EQ(told["obstacles_found"], told["obstacles_left"]);
+  EXPECT_EQ(read_mesh(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
+}
+
+// Sums over seeds.csv and regions.csv agree with each other and with the report.
+TEST_F(Program, FilesAgreeWithEachOther) {
+  ASSERT_EQ(relax("--seeds 20").status, 0);
+  std::map<int, int> nodes_of_region;
+  for (const std::string& line : lines_of(out() / "regions.csv")) {
+    if (line.rfind("input_id", 0) == 0) continue;
+    const std::size_t region = line.find(',', line.find(',') + 1) + 1;
+    ++nodes_of_region[std::stoi(line.substr(region))];
+  }
+  double energy = 0;
+  const auto seeds = lines_of(out() / "seeds.csv");
+  for (std::size_t r = 0; r + 1 < seeds.size(); ++r) {
+    std::istringstream fields(seeds[r + 1]);
+    std::vector<std::string> field;
+    for (std::string f; std::getline(fields, f, ',');) field.push_back(f);
+    ASSERT_EQ(field.size(), 8U);
+    EXPECT_EQ(nodes_of_region[static_cast<int>(r)], std::stoi(field[5]));
+    energy += std::stod(field[7]);
+  }
+  EXPECT_NEAR(energy / report_in(out())["energy"].get<double>(), 1, 1e-9);
+}
+
+// Each option does something: no two of these give the same course.
+TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
+  std::set<std::string> fingerprints;
+  const std::vector<std::string> all_options = {"",
+                                                "-g vertex-dense",
+                                                "-g triangle",
+                                                "-g triangle-dense",
+                                                "-g mixed",
+                                                "--init random",
+                                                "--init random-area",
+                                                "--init kmeans++",
+                                                "--norm manhattan",
+                                                "--norm linf",
+                                                "--greedy off",
+                                                "--greedy standard",
+                                                "--random-seed 2",
+                                                "--max-greedy-steps 3"};
+  for (const std::string& options : all_options) {
+    const Outcome outcome = relax("--seeds 20 " + options);
+    ASSERT_EQ(outcome.status, 0) << options << ": " << outcome.text;
+    const nlohmann::json report = report_in(out());
+    EXPECT_EQ(report["options"]["seeds"], 20) << options;
+    EXPECT_EQ(report["end"], "converged") << options;
+    EXPECT_EQ(report["steps"]["greedy"] == 0, options == "--greedy off");
+    EXPECT_TRUE(fingerprints.insert(report["fingerprint"].get<std::string>()).second) << options;
+  }
+  EXPECT_EQ(relax("--seeds 20 --no-macrostep-skip").status, 0);
+  EXPECT_EQ(report_in(out())["options"]["macrostep_skip"], false);
+}
+
+TEST_F(Program, GivesTheSameFingerprintAgainAndWithTheMicrostepsSearched) {
+  std::set<std::string> fingerprints;
+  for (const std::string options : {"", "", "--no-microstep-skip"}) {
+    ASSERT_EQ(relax("--seeds 20 " + options).status, 0);
+    fingerprints.insert(report_in(out())["fingerprint"].get<std::string>());
+  }
+  EXPECT_EQ(fingerprints.size(), 1U);
+}
+
+TEST_F(Program, GivesTheSameFingerprintWhateverTheEngineFrontierThreadsAndBackend) {
+  ASSERT_EQ(relax("--seeds 20 --engine reference").status, 0);
+  const nlohmann::json reference = report_in(out());
+  EXPECT_EQ(reference["options"]["engine"], "reference");
+  EXPECT_EQ(reference["options"]["threads"], 1);
+  for (const std::string frontier : {"heap", "delta", "regions", "auto"}) {
+    for (const std::string team : {"--threads 1", "--threads 3", "--threads 2 --backend openmp"}) {
+      ASSERT_EQ(relax("--seeds 20 --frontier " + frontier + " " + team).status, 0);
+      const nlohmann::json report = report_in(out());
+      EXPECT_EQ(report["fingerprint"], reference["fingerprint"]);
+      EXPECT_EQ(report["steps"], reference["steps"]);
+      EXPECT_EQ(report["options"]["frontier"], frontier);
+    }
+  }
+}
+
+TEST_F(Program, VerifiesThatTheEnginesAgree) {
+  const Outcome outcome = geolloyd_with("verify " + mesh_.string() + " --seeds 20 --threads 3");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("identical"), std::string::npos) << outcome.text;
+  ASSERT_EQ(relax("--seeds 20").status, 0);
+  EXPECT_NE(outcome.text.find(report_in(out())["fingerprint"].get<std::string>()),
+            std::string::npos)
+      << outcome.text;
+  expect_complaint(geolloyd_with("verify " + mesh_.string()), "how many regions?");
+}
+
+// Address space enough to start, and not enough to end.
+TEST_F(Program, SaysSoWhenMemoryRunsOut) {
+  if (under_sanitizer) GTEST_SKIP() << "sanitizers need more address space than that";
+  mesh_ = folder_.path() / "sphere.ply";
+  ASSERT_EQ(geolloyd_with("generate icosphere -t 1000000 -o " + mesh_.string()).status, 0);
+  for (const char* kilobytes : {"150000", "200000", "250000", "300000", "350000", "400000"}) {
+    const Outcome outcome = run_shell(
+        "ulimit -v " + std::string(kilobytes) + "; " GEOLLOYD_PROGRAM " relax " + mesh_.string() +
+        " --seeds 2000 --max-greedy-steps 1 --max-macrosteps 1 -o " + out(kilobytes).string());
+    if (outcome.status == 0) continue;         // there may be room for all
+    expect_complaint(outcome, "are allowed");  // foreseen, or met
+    EXPECT_FALSE(fs::exists(out(kilobytes) / "report.json"));
+  }
+}
+
+TEST_F(Program, ContinuesFromWrittenSeeds) {
+  ASSERT_EQ(relax("--seeds 20 --max-greedy-steps 2 --max-macrosteps 1", "first").status, 0);
+  EXPECT_EQ(report_in(out("first"))["end"], "limit");
+  const double reached = report_in(out("first"))["energy"];
+  ASSERT_EQ(relax("--seeds-file " + (out("first") / "seeds.csv").string(), "second").status, 0);
+  EXPECT_DOUBLE_EQ(report_in(out("second"))["energy_initial"].get<double>(), reached);
+  EXPECT_LT(report_in(out("second"))["energy"], reached);
+  EXPECT_EQ(report_in(out("second"))["end"], "converged");
+}
+
+TEST_F(Program, StretchesRegionsAlongAField) {
+  const fs::path plane = folder_.path() / "plane.ply";
+  ASSERT_EQ(geolloyd_with("generate plane -t 20000 -o " + plane.string()).status, 0);
+  const Mesh mesh = read_mesh(plane).mesh;
+  std::string field = "k1 k2 k1v_x k1v_y k1v_z k2v_x k2v_y k2v_z\n";
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) field += "3 1 1 0 0 0 1 0\n";
+  mesh_ = plane;
+  ASSERT_EQ(
+      relax("--seeds 100 -g vertex-dense --vfield " + folder_.write("f.vfield", field).string())
+          .status,
+      0);
+
+  // Second moments of the regions about their means, by axis. In the plane itself it would be 3 to
+  // 1; the graph's zigzags cost more across the field than along it.
+  std::vector<std::array<double, 5>> sums(100);
+  const auto lines = lines_of(out() / "regions.csv");
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const std::string& line = lines[v + 1];
+    auto& s = sums[std::stoul(line.substr(line.find(',', line.find(',') + 1) + 1))];
+    const Vec3& p = mesh.positions[v];
+    s[0] += 1;
+    s[1] += p.x();
+    s[2] += p.y();
+    s[3] += p.x() * p.x();
+    s[4] += p.y() * p.y();
+  }
+  double along = 0;
+  double across = 0;
+  for (const auto& s : sums) {
+    along += s[3] - s[1] * s[1] / s[0];
+    across += s[4] - s[2] * s[2] / s[0];
+  }
+  EXPECT_GT(std::sqrt(across / along), 2.3);
+  EXPECT_LT(std::sqrt(across / along), 3.2);
+}
+
+TEST_F(Program, DrawsItsResult) {
+  EXPECT_EQ(relax("--seeds 4 --picture " + (folder_.path() / "p.png").string()).status, 0);
+  EXPECT_EQ(read_file(folder_.path() / "p.png").substr(1, 3), "PNG");
+}
+
+// Meshes without area, of one triangle, of any size: a result, and no "nan" in it.
+TEST_F(Program, TessellatesWhatIsHardlyASurface) {
+  const std::string faces = "3 0 1 2\n3 0 2 3\n";
+  const std::map<std::string, std::string> vertices = {
+      {"point", "1 1 1\n1 1 1\n1 1 1\n1 1 1\n"},
+      {"line", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n"},
+      {"tiny", "0 0 0\n1e-30 0 0\n1e-30 1e-30 0\n0 1e-30 0\n"},
+      {"huge", "0 0 0\n1e30 0 0\n1e30 1e30 0\n0 1e30 0\n"}};
+  for (const auto& [name, text] : vertices) {
+    mesh_ = folder_.write(name + ".off", "OFF\n4 2 0\n" + text + faces);
+    for (const std::string graph :
+         {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"}) {
+      const std::string picture =
+          graph == "mixed" ? " --size 200x200 --picture " + out("p.png").string() : "";
+      const Outcome outcome = relax("--seeds 2 -g " + graph + picture);
+      EXPECT_EQ(outcome.status, 0) << name << " " << graph << ": " << outcome.text;
+      EXPECT_EQ(outcome.text.find("nan"), std::string::npos) << outcome.text;
+      EXPECT_EQ(report_in(out())["end"], "converged");
+    }
+  }
+}
+
+TEST_F(Program, ReportNamesItsInput) {
+  const fs::path odd = folder_.path() / "ein schöner Name.ply";
+  fs::rename(mesh_, odd);
+  const Outcome outcome =
+      geolloyd_with("relax '" + odd.string() + "' --seeds 4 -o " + out().string());
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(report_in(out())["input"]["file"], odd.string());
+}
+
+class Interrupt : public Program, public testing::WithParamInterface<const char*> {
+ protected:
+  // From random seeds on a mesh of this size the relaxation takes seconds.
+  void SetUp() override {
+    Program::SetUp();
+    mesh_ = folder_.path() / "sphere.ply";
+    ASSERT_EQ(geolloyd_with("generate icosphere -t 400000 -o " + mesh_.string()).status, 0);
+  }
+
+  [[nodiscard]] Running start() const {
+    std::vector<std::string> arguments = {
+        "relax", mesh_.string(), "-o", out().string(), "--seeds", "6", "--init", "random"};
+    std::istringstream options(GetParam());
+    for (std::string option; options >> option;) arguments.push_back(option);
+    return {arguments, folder_.path() / "text", out()};
+  }
+};
+
+TEST_P(Interrupt, EndsWithAMarkedResultThatCanBeContinued) {
+  Running running = start();
+  ::usleep(100'000);
+  running.send(SIGINT);
+  running.send(SIGINT);  // as timeout(1) does
+  EXPECT_EQ(running.wait(), 130);
+  const nlohmann::json report = report_in(out());
+  EXPECT_EQ(report["end"], "interrupted");
+  EXPECT_EQ(report["interrupted"], true);
+  EXPECT_LE(report["energy"], report["energy_initial"]);
+  EXPECT_NE(read_file(folder_.path() / "text").find("INTERRUPTED"), std::string::npos);
+  EXPECT_EQ(lines_of(out() / "seeds.csv").size(), 7U);
+
+  const Outcome again = relax(
+      "--max-greedy-steps 1 --max-macrosteps 0 --seeds-file " + (out() / "seeds.csv").string(),
+      "again");
+  EXPECT_EQ(again.status, 0) << again.text;
+  EXPECT_DOUBLE_EQ(report_in(out("again"))["energy_initial"].get<double>(), report["energy"]);
+}
+
+TEST_P(Interrupt, ByTermIsTheSame) {
+  Running running = start();
+  running.send(SIGTERM);
+  EXPECT_EQ(running.wait(), 130);
+  EXPECT_EQ(report_in(out())["interrupted"], true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, Interrupt,
+                         testing::Values("--engine reference", "--engine parallel",
+                                         "--greedy off --backend openmp --threads 3"));
+
+TEST_F(Program, IsSilentAboutProgressInAPipe) {
+  const Outcome outcome = relax("--seeds 20");
+  EXPECT_EQ(outcome.text.find('\r'), std::string::npos);
+  EXPECT_EQ(outcome.text.find("moving"), std::string::npos);
+}
+
+TEST_F(Program, SubdividesAndInforms) {
+  const fs::path finer = folder_.path() / "finer.obj";
+  const Outcome outcome = geolloyd_with("subdivide " + mesh_.string() +
+                                        " -s midpoint -s barycentric -o " + finer.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(read_mesh(finer).mesh.triangle_count(), 2000U * 4 * 6);
+  const Outcome info = geolloyd_with("info " + finer.string());
+  EXPECT_EQ(info.status, 0);
+  EXPECT_NE(info.text.find("48,000 triangles"), std::string::npos) << info.text;
+  EXPECT_NE(info.text.find("Euler characteristic 0, closed"), std::string::npos) << info.text;
+}
+
+TEST_F(Program, SaysWhatItWasBuiltWith) {
+  const std::string facts = geolloyd_with("--version").text;
+  EXPECT_EQ(facts.rfind(program_name() + "\n", 0), 0U) << facts;
+  for (const std::string& what : {compiler_name(), std::string("-ffp-contract=off"),
+                                  std::string("oneTBB 20"), std::string("Embree ")}) {
+    EXPECT_NE(facts.find(what), std::string::npos) << facts;
+  }
+}
+
+TEST_F(Program, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(geolloyd_with("--version").status, 0);
+  for (const std::string command : {"", "relax ", "verify ", "compare ", "profile ", "batch ",
+                                    "generate ", "subdivide ", "info "}) {
+    const Outcome help = geolloyd_with(command + "--help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.text.find("Usage:"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd

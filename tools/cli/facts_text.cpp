@@ -1,0 +1,66 @@
+#include "tools/cli/facts_text.h"
+
+#include <fmt/format.h>
+
+namespace geolloyd {
+namespace {
+
+// A line where there is something to say.
+std::string finding(std::size_t count, const char* what) {
+  return count == 0 ? "" : fmt::format("  {:<12}{} {}\n", "found", grouped(count), what);
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string counted(std::uint64_t number, const char* singular, const char* plural) {
+  return grouped(number) + " " + (number == 1 ? singular : plural);
+}
+
+std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
+  std::string text = fmt::format(
+      "  {:<12}{}: {}, {}, {}\n"
+      "  {:<12}{}, Euler characteristic {}, {}, area {:.6g}, diagonal {:.6g}\n",
+      "mesh", input.format, counted(facts.vertices, "vertex", "vertices"),
+      counted(facts.edges, "edge", "edges"), counted(facts.triangles, "triangle", "triangles"), "",
+      counted(facts.components, "component", "components"), facts.euler_characteristic,
+      facts.boundary_edges == 0 ? "closed"
+                                : counted(facts.boundary_edges, "boundary edge", "boundary edges"),
+      facts.area, facts.bounding_diagonal);
+  text += finding(input.polygon_count, "polygons: split into triangles");
+  text += finding(input.welded_corners, "repeated corners: welded");
+  text += finding(facts.unreferenced_vertices, "vertices of no triangle: get no region");
+  text +=
+      finding(facts.repeated_vertex_triangles, "triangles naming a vertex twice: get no region");
+  text += finding(facts.zero_area_triangles, "triangles without area: have no mass");
+  text += finding(facts.duplicate_triangles, "duplicate triangles: mass counted once");
+  text += finding(facts.non_manifold_edges, "non-manifold edges: all their triangles connected");
+  text += finding(facts.inconsistent_edges, "edges between opposite orientations: connected");
+  text += finding(facts.zero_length_edges, "edges without length: one tick long");
+  return text;
+}
+
+std::string describe(const MeshTopology& topology) {
+  std::string text = counted(topology.total().boundary_loops, "boundary loop", "boundary loops");
+  if (topology.is_manifold()) return text + ", manifold";
+  if (topology.non_manifold_edges > 0) {
+    text += ", " + counted(topology.non_manifold_edges, "edge of more than two triangles",
+                           "edges of more than two triangles");
+  }
+  if (topology.non_manifold_vertices > 0) {
+    text += ", " + counted(topology.non_manifold_vertices, "vertex where surfaces touch",
+                           "vertices where surfaces touch");
+  }
+  return text;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "core/formats/mesh_io.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_topology.h"
+
+namespace geolloyd {
+
+/// A mesh in a few lines for people: what it is, then what was found in it and how that is handled.
+std::string describe(const LoadedMesh& input, const MeshFacts& facts);
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number);
+
+/// "1 edge", "2,000 edges".
+std::string counted(std::uint64_t number, const char* singular, const char* plural);
+
+/// Boundary loops, and whether it is a manifold.
+std::string describe(const MeshTopology& topology);
+
+}  // namespace geolloyd

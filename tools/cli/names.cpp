@@ -1,0 +1,84 @@
+#include "tools/cli/names.h"
+
+#include "core/shapes/shapes.h"
+
+namespace geolloyd {
+
+const std::vector<Named<Shape>> shape_names = {
+    {"creature", creature},
+    {"plane", irregular_plane},
+    {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
+    {"torus", torus},
+    {"cylinder", cylinder},
+};
+
+const std::vector<Named<GraphKind>> graph_kind_names = {
+    {"vertex", GraphKind::vertex},     {"vertex-dense", GraphKind::vertex_dense},
+    {"triangle", GraphKind::triangle}, {"triangle-dense", GraphKind::triangle_dense},
+    {"mixed", GraphKind::mixed},
+};
+
+const std::vector<Named<Norm>> norm_names = {
+    {"geodesic", Norm::geodesic},
+    {"manhattan", Norm::manhattan},
+    {"linf", Norm::linf},
+};
+
+const std::vector<Named<GreedyMode>> greedy_mode_names = {
+    {"off", GreedyMode::off},
+    {"standard", GreedyMode::standard},
+    {"extended", GreedyMode::extended},
+};
+
+const std::vector<Named<SeedInit>> seed_init_names = {
+    {"farthest", SeedInit::farthest},
+    {"kmeans++", SeedInit::kmeans_plus_plus},
+    {"random-area", SeedInit::random_area},
+    {"random", SeedInit::random},
+};
+
+const std::vector<Named<End>> end_names = {
+    {"converged", End::converged},
+    {"interrupted", End::interrupted},
+    {"limit", End::limit},
+    {"recurred", End::recurred},
+};
+
+const std::vector<Named<Frontier>> frontier_names = {
+    {"heap", Frontier::heap},
+    {"delta", Frontier::delta},
+    {"regions", Frontier::regions},
+    {"auto", Frontier::automatic},
+};
+
+const std::vector<Named<Backend>> backend_names = {
+    {"tbb", Backend::tbb},
+    {"openmp", Backend::openmp},
+};
+
+const std::vector<Named<Phase>> phase_names = {
+    {"greedy", Phase::greedy},
+    {"precise", Phase::precise},
+};
+
+const std::vector<Named<RemeshVertices>> remesh_vertices_names = {
+    {"seeds", RemeshVertices::seeds},
+    {"centroids", RemeshVertices::centroids},
+};
+
+const std::vector<Named<double KernelSeconds::*>> kernel_names = {
+    {"free_search", &KernelSeconds::free_search},
+    {"locked_search", &KernelSeconds::locked_search},
+    {"subtree_sums", &KernelSeconds::subtree_sums},
+    {"scoring", &KernelSeconds::scoring},
+    {"movement", &KernelSeconds::movement},
+    {"gathering", &KernelSeconds::gathering},
+    {"other", &KernelSeconds::other},
+};
+
+const std::vector<Named<EngineKind>> engine_names = {
+    {"parallel", EngineKind::parallel},
+    {"reference", EngineKind::reference},
+};
+
+}  // namespace geolloyd

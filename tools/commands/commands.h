@@ -1,0 +1,25 @@
+#pragma once
+
+#include "tools/cli/cli_fwd.h"
+
+namespace geolloyd {
+
+// Each adds one subcommand to the program, with its options and its callback. A callback returns
+// normally or throws: Error becomes one line and exit status 2.
+
+void add_relax_command(CLI::App& program);
+void add_render_command(CLI::App& program);
+void add_verify_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
+void add_profile_command(CLI::App& program);
+void add_batch_command(CLI::App& program);
+void add_ground_truth_command(CLI::App& program);
+void add_generate_command(CLI::App& program);
+void add_subdivide_command(CLI::App& program);
+void add_info_command(CLI::App& program);
+void add_quality_command(CLI::App& program);
+
+/// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.
+struct InterruptedExit {};
+
+}  // namespace geolloyd

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <stdexcept>
+
+#include "tools/cli/choice_option.h"
+#include "tools/cli/facts_text.h"
+#include "tools/cli/number_option.h"
+#include "tools/cli/text_table.h"
+#include "tools/commands/commands.h"
+#include "tools/experiments/comparison.h"
+#include "tools/experiments/experiment.h"
+#include "tools/run/stages.h"
+#include "tools/system/interrupt.h"
+
+namespace geolloyd {
+namespace {
+
+struct CompareArguments {
+  RelaxArguments relax;
+  std::vector<std::size_t> threads;  // none: 1, 2, 4... up to all the machine has
+  std::vector<std::string> frontiers = {"regions"};
+  std::vector<std::string> backends = {"tbb"};
+  std::size_t turns = 3;
+  bool no_reference = false;
+  ExperimentOutput output;
+};
+
+std::vector<Contender> contenders_of(const CompareArguments& a) {
+  std::vector<Contender> contenders;
+  if (!a.no_reference) contenders.push_back({EngineKind::reference, {}, {}, 1, {}});
+  for (const std::string& frontier : a.frontiers) {
+    for (const std::string& backend : a.backends) {
+      for (const std::size_t threads : a.threads.empty() ? thread_ladder() : a.threads) {
+        contenders.push_back({EngineKind::parallel,
+                              value_of(frontier_names, frontier),
+                              value_of(backend_names, backend),
+                              threads,
+                              {}});
+      }
+    }
+  }
+  return contenders;
+}
+
+std::string plain(std::optional<double> value) {
+  return value ? fmt::format("{:.2f}", *value) : "";
+}
+
+std::string table_of(const Comparison& comparison) {
+  TextTable table({"", "turns", "median", "from", "to", "M visits/s", "speed-up", "efficiency",
+                   "MB", "fingerprint", ""},
+                  1);
+  const auto visits = static_cast<double>(comparison.steps.node_visits);
+  for (const Contender& c : comparison.contenders) {
+    table.add({title_of(c), std::to_string(c.seconds.size()), duration_text(c.median()),
+               duration_text(c.seconds.front()), duration_text(c.seconds.back()),
+               fmt::format("{:.2f}", visits / c.median() * 1e-6), plain(comparison.speedup(c)),
+               plain(comparison.efficiency(c)),
+               fmt::format("{:.0f}", static_cast<double>(c.peak_memory_bytes) * 1e-6),
+               fingerprint_text(c.fingerprint), comparison.is_equal(c) ? "equal" : "DIFFERENT"});
+  }
+  return table.text();
+}
+
+void print_comparison(const RunRecord& run, std::size_t seeds, const Comparison& comparison) {
+  const StepCounts& steps = comparison.steps;
+  print_heading(run, seeds);
+  fmt::print("{}\n", table_of(comparison));
+  fmt::print("{}, {} of {}, {} by definition\n",
+             counted(steps.greedy, "greedy step", "greedy steps"),
+             counted(steps.macro, "macrostep", "macrosteps"),
+             counted(steps.micro, "microstep", "microsteps"),
+             counted(steps.node_visits, "node visit", "node visits"));
+}
+
+Json result_of(const RunRecord& run, std::size_t seeds, const Comparison& comparison,
+               const Json& rows) {
+  Json result = begin_result("compare", run);
+  result["options"] = options_part(run.arguments, seeds);
+  result["interrupted"] = interrupted();
+  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
+  result["steps"] = steps_part(comparison.steps);
+  result["runs"] = rows;
+  return result;
+}
+
+void run_compare(CompareArguments& arguments) {
+  drop_repeats(arguments.threads);
+  drop_repeats(arguments.frontiers);
+  drop_repeats(arguments.backends);
+  check_arguments(arguments.relax);
+  RunRecord run;
+  run.arguments = arguments.relax;
+  ProgressLine progress;
+  std::vector<NodeId> seeds;
+  {
+    Scheduler scheduler;
+    seeds = prepare(run, scheduler, progress);
+  }
+  catch_interrupts();  // before the folder appears, which tells others that it is done
+  prepare_output(arguments.output, "compare", arguments.relax);
+  const Comparison comparison =
+      compare(contenders_of(arguments), arguments.turns, run.mesh_graph.graph, seeds,
+              relaxation_options(arguments.relax), progress);
+  progress.clear();
+  if (!comparison.contenders.empty()) {
+    const Json rows = rows_of(comparison);
+    save_result(arguments.output, "compare", rows, result_of(run, seeds.size(), comparison, rows));
+    print_comparison(run, seeds.size(), comparison);
+  }
+  finish_experiment(arguments.output, "compare");
+  for (const Contender& c : comparison.contenders) {
+    if (!comparison.is_equal(c)) {
+      throw std::runtime_error(title_of(c) +
+                               " gave another result: geolloyd verify tells where they part");
+    }
+  }
+  if (interrupted()) throw InterruptedExit{};
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "compare", "Time the reference against the parallel engine, by threads, frontier, backend");
+  const auto a = std::make_shared<CompareArguments>();
+  add_mesh_argument(*command, a->relax);
+  add_output_options(*command, a->output, "compare");
+  add_seed_options(*command, a->relax);
+  add_graph_options(*command, a->relax);
+  add_relaxation_options(*command, a->relax);
+  const char* group = "What to compare (lists, separated by commas; all combinations)";
+  whole_number(
+      command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has"),
+      1, most_threads)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NUMBERS")
+      ->group(group);
+  one_of(command->add_option("--frontiers", a->frontiers, "How regions are found"), frontier_names)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str()
+      ->group(group);
+  one_of(command->add_option("--backends", a->backends, "Whose threads"), backend_names)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str()
+      ->group(group);
+  whole_number(
+      command->add_option("--turns", a->turns, "How often each is timed; the reference once"), 1,
+      1'000'000)
+      ->capture_default_str()
+      ->group(group);
+  command->add_flag("--no-reference", a->no_reference, "Leave out the slow sequential one")
+      ->group(group);
+  command->footer("Exit status 1 where a fingerprint differs. Times are those of the relaxation.");
+  command->callback([a] { run_compare(*a); });
+}
+
+}  // namespace geolloyd

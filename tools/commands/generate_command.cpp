@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/formats/mesh_io.h"
+#include "tools/cli/choice_option.h"
+#include "tools/cli/facts_text.h"
+#include "tools/cli/names.h"
+#include "tools/cli/number_option.h"
+#include "tools/commands/commands.h"
+#include "tools/files/output_folder.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+
+namespace geolloyd {
+namespace {
+
+struct Arguments {
+  std::string shape;
+  std::filesystem::path output;
+  std::size_t triangles = 1'000'000;
+  std::uint64_t random_seed = 1;
+};
+
+}  // namespace
+
+void add_generate_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("generate", "Make a mesh of a shape");
+  const auto arguments = std::make_shared<Arguments>();
+  one_of(command->add_option("SHAPE", arguments->shape, "What to make")->required(), shape_names);
+  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->type_name("FILE")
+      ->required();
+  whole_number(command->add_option("-t,--triangles", arguments->triangles,
+                                   "At least so many; the shape's next possible number is made"),
+               1)
+      ->capture_default_str();
+  whole_number(command->add_option("--random-seed", arguments->random_seed, "Varies the shape"), 0)
+      ->capture_default_str();
+  command->callback([arguments] {
+    check_mesh_target(arguments->output, {});
+    const Shape shape = value_of(shape_names, arguments->shape);
+    if (arguments->triangles <= most_triangles) {  // else there are no ids for them
+      require_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
+    }
+    const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
+    write_mesh(arguments->output, mesh);
+    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
+               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+  });
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "tools/cli/choice_option.h"
+#include "tools/cli/facts_text.h"
+#include "tools/cli/text_table.h"
+#include "tools/commands/commands.h"
+#include "tools/experiments/experiment.h"
+#include "tools/experiments/profile.h"
+#include "tools/run/measured_run.h"
+#include "tools/run/stages.h"
+#include "tools/system/interrupt.h"
+
+namespace geolloyd {
+namespace {
+
+struct ProfileArguments {
+  RelaxArguments relax;
+  std::vector<std::string> engines = {"reference", "parallel"};
+  ExperimentOutput output;
+};
+
+struct EngineProfile {
+  EngineKind engine;
+  std::size_t threads;
+  MeasuredRun run;
+};
+
+std::string title_of(const EngineProfile& profile) {
+  return fmt::format("{}, {}", name_of(engine_names, profile.engine),
+                     counted(profile.threads, "thread", "threads"));
+}
+
+std::string share_text(double part, double all) {
+  return all > 0 ? fmt::format("{:.1f} %", 100 * part / all) : "";
+}
+
+std::string table_of(const EngineProfile& profile) {
+  const PhaseProfile greedy = profile_of(profile.run.relaxation, Phase::greedy);
+  const PhaseProfile precise = profile_of(profile.run.relaxation, Phase::precise);
+  TextTable table({title_of(profile), "greedy", "", "precise", "", "both", ""}, 1);
+  const auto add = [&](const std::string& title, double in_greedy, double in_precise) {
+    const double greedy_all = total(greedy.seconds);
+    const double precise_all = total(precise.seconds);
+    table.add({title, duration_text(in_greedy), share_text(in_greedy, greedy_all),
+               duration_text(in_precise), share_text(in_precise, precise_all),
+               duration_text(in_greedy + in_precise),
+               share_text(in_greedy + in_precise, greedy_all + precise_all)});
+  };
+  for (const auto& [name, kernel] : kernel_names) {
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    add(title, greedy.seconds.*kernel, precise.seconds.*kernel);
+  }
+  add("all", total(greedy.seconds), total(precise.seconds));
+  table.add({"node visits, millions", fmt::format("{:.1f}", double(greedy.node_visits) * 1e-6), "",
+             fmt::format("{:.1f}", double(precise.node_visits) * 1e-6), "",
+             fmt::format("{:.1f}", double(greedy.node_visits + precise.node_visits) * 1e-6), ""});
+  return table.text();
+}
+
+// The one line people look for.
+std::string search_line(const EngineProfile& profile) {
+  std::string line = "Dijkstra (free search and locked search) in the " +
+                     name_of(engine_names, profile.engine) + " engine:";
+  const char* separator = " ";
+  for (const auto& [name, phase] : phase_names) {
+    const PhaseProfile p = profile_of(profile.run.relaxation, phase);
+    if (p.steps == 0) continue;
+    line += fmt::format("{}{:.1f} % of the {} phase", separator, 100 * p.search_share(), name);
+    separator = ", ";
+  }
+  return line;
+}
+
+void print_profiles(const RunRecord& run, const std::vector<EngineProfile>& profiles) {
+  const Relaxation& relaxation = profiles.front().run.relaxation;
+  const StepCounts steps = count_steps(relaxation);
+  print_heading(run, relaxation.seeds.size());
+  for (const EngineProfile& profile : profiles) fmt::print("{}\n", table_of(profile));
+  for (const EngineProfile& profile : profiles) {
+    if (!profile.run.relaxation.steps.empty()) fmt::print("{}\n", search_line(profile));
+  }
+  fmt::print("{}, {} of {}; step by step in the files of --output\n",
+             counted(steps.greedy, "greedy step", "greedy steps"),
+             counted(steps.macro, "macrostep", "macrosteps"),
+             counted(steps.micro, "microstep", "microsteps"));
+}
+
+Json json_of(const EngineProfile& profile, const RelaxArguments& a) {
+  const bool parallel = profile.engine == EngineKind::parallel;
+  const Relaxation& relaxation = profile.run.relaxation;
+  return {{"engine", name_of(engine_names, profile.engine)},
+          {"frontier", parallel ? Json(a.frontier) : Json(nullptr)},
+          {"backend", parallel ? Json(a.backend) : Json(nullptr)},
+          {"threads", profile.threads},
+          {"seconds", profile.run.seconds},
+          {"fingerprint", fingerprint_text(relaxation.fingerprint)},
+          {"end", name_of(end_names, relaxation.end)},
+          {"phases", phase_rows(relaxation)},
+          {"steps", step_rows(relaxation)}};
+}
+
+void write_profiles(const ProfileArguments& arguments, const RunRecord& run,
+                    const std::vector<EngineProfile>& profiles) {
+  Json result = begin_result("profile", run);
+  result["options"] = options_part(run.arguments, profiles.front().run.relaxation.seeds.size());
+  result["interrupted"] = interrupted();
+  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
+  result["profiles"] = Json::array();
+  Json rows = Json::array();
+  for (const EngineProfile& profile : profiles) {
+    result["profiles"].push_back(json_of(profile, run.arguments));
+    for (Json& step : result["profiles"].back()["steps"]) {
+      rows.push_back({{"engine", name_of(engine_names, profile.engine)}});
+      rows.back().update(step);
+    }
+  }
+  save_result(arguments.output, "profile", rows, result);
+}
+
+std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const RunRecord& run,
+                                           const std::vector<NodeId>& seeds, Scheduler& scheduler,
+                                           ProgressLine& progress) {
+  std::vector<EngineProfile> profiles;
+  for (const std::string& name : arguments.engines) {
+    const EngineKind engine = value_of(engine_names, name);
+    progress.part(name + ":");
+    MeasuredRun measured = measure_run(
+        engine, value_of(frontier_names, run.arguments.frontier), scheduler, run.mesh_graph.graph,
+        seeds, relaxation_options(run.arguments), watcher(progress, seeds.size()));
+    const std::size_t threads = engine == EngineKind::reference ? 1 : scheduler.threads();
+    profiles.push_back({engine, threads, std::move(measured)});
+    if (interrupted()) break;
+  }
+  return profiles;
+}
+
+void run_profile(ProfileArguments& arguments) {
+  drop_repeats(arguments.engines);
+  check_arguments(arguments.relax);
+  RunRecord run;
+  run.arguments = arguments.relax;
+  ProgressLine progress;
+  Scheduler scheduler = make_scheduler(run.arguments);
+  const std::vector<NodeId> seeds = prepare(run, scheduler, progress);
+  catch_interrupts();  // before the folder appears, which tells others that it is done
+  prepare_output(arguments.output, "profile", arguments.relax);
+  const auto profiles = profile_engines(arguments, run, seeds, scheduler, progress);
+  progress.clear();
+  write_profiles(arguments, run, profiles);
+  print_profiles(run, profiles);
+  finish_experiment(arguments.output, "profile");
+  if (interrupted()) throw InterruptedExit{};
+  if (profiles.front().run.relaxation.fingerprint != profiles.back().run.relaxation.fingerprint) {
+    throw std::runtime_error(
+        "the engines gave different results: geolloyd verify tells where they part");
+  }
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "profile", "Show where the time goes, by phase and kernel, in both engines");
+  const auto a = std::make_shared<ProfileArguments>();
+  add_mesh_argument(*command, a->relax);
+  add_output_options(*command, a->output, "profile");
+  one_of(command->add_option("--engines", a->engines, "Which, separated by commas"), engine_names)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  add_seed_options(*command, a->relax);
+  add_graph_options(*command, a->relax);
+  add_relaxation_options(*command, a->relax);
+  add_thread_options(*command, a->relax);
+  command->footer(
+      "Kernels of the parallel engine run side by side: the time of a step is divided among them\n"
+      "by their shares in the time of all threads.");
+  command->callback([a] { run_profile(*a); });
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "tools/cli/number_option.h"
+#include "tools/commands/commands.h"
+#include "tools/evaluation/quality.h"
+#include "tools/files/output_folder.h"
+#include "tools/report/quality_output.h"
+#include "tools/run/stages.h"
+
+namespace geolloyd {
+namespace {
+
+struct QualityArguments {
+  RelaxArguments relax;  // mesh: the remesh
+  std::filesystem::path original;
+  std::size_t samples = 500'000;
+};
+
+void run_quality(const QualityArguments& arguments) {
+  const RelaxArguments& a = arguments.relax;
+  if (!a.output.empty()) check_target(a.output, std::array{a.mesh, arguments.original});
+  Scheduler scheduler = make_scheduler(a);
+  ProgressLine progress;
+  const QualityRecord record =
+      judge(a.mesh, arguments.original, arguments.samples, scheduler, progress);
+  if (!a.output.empty()) write_text_file(a.output, quality_report(record));
+  fmt::print("{}", quality_text(record));
+}
+
+}  // namespace
+
+void add_quality_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "quality", "Judge a remesh, whoever made it: triangles, valences, distance to the original");
+  const auto a = std::make_shared<QualityArguments>();
+  command->add_option("REMESH", a->relax.mesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
+  command->add_option("--original", a->original, "The mesh that it stands for")->type_name("MESH");
+  whole_number(
+      command->add_option("--samples", a->samples, "Points on each mesh to measure distances from"),
+      1, 1'000'000'000)
+      ->capture_default_str();
+  command->add_option("-o,--output", a->relax.output, "JSON file to write the figures into")
+      ->type_name("FILE");
+  add_scheduler_options(*command, a->relax);
+  command->callback([a] { run_quality(*a); });
+}
+
+}  // namespace geolloyd

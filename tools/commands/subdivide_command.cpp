@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/formats/mesh_io.h"
+#include "core/mesh/subdivide.h"
+#include "tools/cli/choice_option.h"
+#include "tools/cli/facts_text.h"
+#include "tools/cli/names.h"
+#include "tools/commands/commands.h"
+#include "tools/files/output_folder.h"
+#include "tools/run/stages.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+
+namespace geolloyd {
+namespace {
+
+struct Scheme {
+  Mesh (*subdivide)(const Mesh& mesh);
+  std::uint64_t pieces;  // of a triangle
+};
+
+const std::vector<Named<Scheme>> scheme_names = {
+    {"midpoint", {subdivide_midpoint, 4}},
+    {"barycentric", {subdivide_barycentric, 6}},
+};
+
+struct Arguments {
+  std::filesystem::path mesh;
+  std::filesystem::path output;
+  std::vector<std::string> schemes;
+};
+
+}  // namespace
+
+void add_subdivide_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("subdivide", "Make a mesh finer, keeping its surface");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
+  one_of(command
+             ->add_option("-s,--scheme", arguments->schemes,
+                          "midpoint makes 4 triangles of each, barycentric 6; several are done\n"
+                          "in turn")
+             ->required(),
+         scheme_names);
+  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+      ->type_name("FILE")
+      ->required();
+  command->callback([arguments] {
+    check_mesh_target(arguments->output, arguments->mesh);
+    Mesh mesh = read_within_limits(arguments->mesh).mesh;
+    for (const std::string& name : arguments->schemes) {
+      const Scheme scheme = value_of(scheme_names, name);
+      require_memory(arguments->output.string(),
+                     memory_to_subdivide(mesh.triangle_count(), scheme.pieces));
+      mesh = scheme.subdivide(mesh);
+    }
+    write_mesh(arguments->output, mesh);
+    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
+               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+  });
+}
+
+}  // namespace geolloyd

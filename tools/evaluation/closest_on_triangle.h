@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/vec3.h"
+
+namespace geolloyd {
+
+/// The share of the way from `a` to `b` at which their segment is closest to the origin; 0 where
+/// they coincide.
+inline double share_closest_to_origin(const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double square = dot(ab, ab);
+  return square > 0 ? std::clamp(-dot(a, ab) / square, 0.0, 1.0) : 0.0;
+}
+
+/// Weights of the second and third corner at the point of a triangle that is closest to the origin
+/// (not negative, at most 1 together up to rounding). The best of three points on its edges and of
+/// the foot of the perpendicular where that is inside: no triangle is so thin, however its weights
+/// are rounded, that the result would not be close to the best.
+inline std::array<double, 2> weights_closest_to_origin(const std::array<Vec3, 3>& corner) {
+  const Vec3& a = corner[0];
+  const Vec3& b = corner[1];
+  const Vec3& c = corner[2];
+  std::array<double, 2> best = {0, 0};
+  double least = dot(a, a);
+  const auto offer = [&](double v, double w) {
+    const Vec3 point = a + v * (b - a) + w * (c - a);
+    const double square = dot(point, point);
+    if (square < least) {
+      least = square;
+      best = {v, w};
+    }
+  };
+  const double on_bc = share_closest_to_origin(b, c);
+  offer(share_closest_to_origin(a, b), 0);
+  offer(0, share_closest_to_origin(a, c));
+  offer(1 - on_bc, on_bc);
+  const Vec3 normal = cross(b - a, c - a);
+  const double u = dot(cross(b, c), normal);
+  const double v = dot(cross(c, a), normal);
+  const double w = dot(cross(a, b), normal);
+  if (u > 0 && v > 0 && w > 0) offer(v / (u + v + w), w / (u + v + w));
+  return best;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,155 @@
+#include "tools/evaluation/point_queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "tools/evaluation/closest_on_triangle.h"
+#include "tools/evaluation/embree_scene.h"
+#include "tools/evaluation/unit_frame.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+float to_float(double x) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(x, -largest, largest));
+}
+
+// A radius, in the unit frame, in which Embree finds everything up to `distance` from `q`: more
+// than that, because it rounds to 24 bits the geometry, `q`, and the squares of lengths that it
+// compares. Where these squares overflow they are equal, and everything is found.
+float search_radius(const Vec3& q, double distance) {
+  constexpr double slack = 0x1p-22;
+  return to_float((distance + slack * (1 + norm(q))) * (1 + 4 * slack));
+}
+
+// Calls nearest.visit(primitive) for all primitives within nearest.distance() (in the unit frame)
+// of `q`, and may do so for others. `visit` returns whether the distance has become less.
+template <class Nearest>
+void search(RTCScene scene, const Vec3& q, Nearest& nearest) {
+  struct Search {
+    const Vec3& q;
+    Nearest& nearest;
+  } search{q, nearest};
+  RTCPointQuery query{};
+  query.x = to_float(q.x());
+  query.y = to_float(q.y());
+  query.z = to_float(q.z());
+  query.radius = search_radius(q, nearest.distance());
+  RTCPointQueryContext context{};
+  rtcInitPointQueryContext(&context);
+  const auto visit = [](RTCPointQueryFunctionArguments* found) {
+    const auto& [at, best] = *static_cast<Search*>(found->userPtr);
+    if (!best.visit(found->primID)) return false;
+    found->query->radius = search_radius(at, best.distance());
+    return true;
+  };
+  rtcPointQuery(scene, &query, &context, visit, &search);
+}
+
+}  // namespace
+
+struct NearestSite::Scene : EmbreeScene {
+  std::vector<Vec3> sites;
+  UnitFrame frame;
+
+  explicit Scene(std::span<const Vec3> all) : sites(all.begin(), all.end()), frame(all) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(sites.size()));
+    rtcSetGeometryBoundsFunction(geometry, find_bounds, this);
+    rtcSetGeometryUserData(geometry, this);
+    commit(geometry);
+  }
+
+  static void find_bounds(const RTCBoundsFunctionArguments* asked) {
+    const Scene& scene = *static_cast<const Scene*>(asked->geometryUserPtr);
+    const Vec3 q = scene.frame(scene.sites[asked->primID]);
+    RTCBounds& box = *asked->bounds_o;
+    box.lower_x = box.upper_x = to_float(q.x());
+    box.lower_y = box.upper_y = to_float(q.y());
+    box.lower_z = box.upper_z = to_float(q.z());
+  }
+};
+
+NearestSite::NearestSite(std::span<const Vec3> sites) : scene_(std::make_unique<Scene>(sites)) {}
+
+NearestSite::~NearestSite() = default;
+
+std::uint32_t NearestSite::find(const Vec3& p, std::uint32_t guess) const {
+  struct Nearest {
+    const Scene& scene;
+    const Vec3& p;
+    double square = infinity;
+    std::uint32_t site = no_id;
+
+    bool visit(std::uint32_t i) {
+      const Vec3 away = p - scene.sites[i];
+      const double offered = dot(away, away);
+      if (offered > square || (offered == square && i >= site)) return false;
+      square = offered;
+      site = i;
+      return true;
+    }
+    // As far as squares this small can differ by underflow alone.
+    [[nodiscard]] double distance() const {
+      return std::sqrt(square + std::numeric_limits<double>::min()) * scene.frame.scale;
+    }
+  } nearest{*scene_, p};
+  nearest.visit(guess);
+  search(scene_->scene, scene_->frame(p), nearest);
+  return nearest.site;
+}
+
+struct ClosestPoint::Scene : EmbreeScene {
+  const Mesh& mesh;
+  UnitFrame frame;
+
+  explicit Scene(const Mesh& whole) : mesh(whole), frame(whole.positions) {
+    if (mesh.triangles.empty()) throw InvalidInput("a mesh without triangles has no surface");
+    commit(triangles(frame(mesh)));
+  }
+
+  [[nodiscard]] Vec3 closest_to(const Vec3& p, TriangleId t) const {
+    std::array<Vec3, 3> corner;
+    for (std::size_t i = 0; i < 3; ++i) corner[i] = mesh.positions[mesh.triangles[t][i]];
+    const auto& [a, b, c] = corner;
+    const auto [v, w] = weights_closest_to_origin(
+        {(a - p) * frame.scale, (b - p) * frame.scale, (c - p) * frame.scale});
+    return a + v * (b - a) + w * (c - a);
+  }
+};
+
+ClosestPoint::ClosestPoint(const Mesh& mesh) : scene_(std::make_unique<Scene>(mesh)) {}
+
+ClosestPoint::~ClosestPoint() = default;
+
+SurfacePoint ClosestPoint::find(const Vec3& p) const {
+  struct Nearest {
+    const Scene& scene;
+    const Vec3& p;
+    double square = infinity;  // in the unit frame
+    TriangleId triangle = no_id;
+    Vec3 position = Vec3::Zero();
+
+    bool visit(TriangleId t) {
+      const Vec3 point = scene.closest_to(p, t);
+      const Vec3 away = (p - point) * scene.frame.scale;
+      const double offered = dot(away, away);
+      if (offered > square || (offered == square && t >= triangle)) return false;
+      square = offered;
+      triangle = t;
+      position = point;
+      return true;
+    }
+    [[nodiscard]] double distance() const { return std::sqrt(square); }
+  } nearest{*scene_, p};
+  search(scene_->scene, scene_->frame(p), nearest);
+  return {nearest.triangle, nearest.position, nearest.distance() / scene_->frame.scale};
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/mesh/mesh.h"
+
+namespace geolloyd {
+
+/// The nearest of some sites (Embree), exactly as brute force in double finds it: the least
+/// dot(p - site, p - site), the smaller index of equals. find() may be called by many threads.
+class NearestSite {
+ public:
+  /// Keeps a copy of the sites. At least one.
+  explicit NearestSite(std::span<const Vec3> sites);
+  NearestSite(const NearestSite&) = delete;
+  NearestSite& operator=(const NearestSite&) = delete;
+  ~NearestSite();
+
+  /// `guess`: a site thought to be near. Any will do, a good one is faster.
+  [[nodiscard]] std::uint32_t find(const Vec3& p, std::uint32_t guess = 0) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+/// A point of a mesh's surface, and how far from it the point is that was asked for (mesh units).
+struct SurfacePoint {
+  TriangleId triangle;
+  Vec3 position;
+  double distance;
+};
+
+/// The closest point of a mesh's surface (Embree), as brute force over all triangles in double
+/// finds it, the smaller triangle of equals. Triangles without area count as the segments or points
+/// that they are. find() may be called by many threads.
+class ClosestPoint {
+ public:
+  /// Keeps a reference to the mesh. Throws InvalidInput where it has no triangle.
+  explicit ClosestPoint(const Mesh& mesh);
+  ClosestPoint(const ClosestPoint&) = delete;
+  ClosestPoint& operator=(const ClosestPoint&) = delete;
+  ~ClosestPoint();
+
+  [[nodiscard]] SurfacePoint find(const Vec3& p) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,80 @@
+#include "tools/evaluation/quality.h"
+
+#include <string>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "core/mesh/mesh_edges_on.h"
+#include "core/mesh/mesh_measure.h"
+#include "parallel/mesh/mesh_check.h"
+#include "parallel/mesh/mesh_edges.h"
+#include "parallel/threads/primitives.h"
+#include "tools/evaluation/hexagonal_energy.h"
+#include "tools/evaluation/site_energy.h"
+#include "tools/run/stages.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+
+namespace geolloyd {
+namespace {
+
+MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& scheduler,
+               ProgressLine& progress) {
+  progress.stage("reading " + file.string());
+  mesh.file = file;
+  mesh.input = read_within_limits(file);
+  MeshEdges edges = find_edges(scheduler, mesh.input.mesh);
+  mesh.facts = check_mesh(scheduler, mesh.input.mesh, edges);
+  mesh.topology = find_topology(mesh.input.mesh, edges);
+  return edges;
+}
+
+void require_area(const MeshFile& mesh) {
+  if (mesh.facts.area > 0) return;
+  throw InvalidInput(mesh.file.string() + ": no triangle with an area, so no distance to measure");
+}
+
+// Of the remesh's vertices, and of the hexagonal tiling with as many regions.
+void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
+                    Likeness& likeness) {
+  const Mesh& mesh = likeness.original.input.mesh;
+  const Buffer<double> areas = triangle_areas_on(scheduler, mesh, edges.duplicates);
+  const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
+  const std::vector<Vec3> sites = referenced_positions(scheduler, remesh);
+  const double area = likeness.original.facts.area;
+  likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
+  likeness.hexagonal = hexagonal_energy(area, area, sites.size());
+}
+
+Likeness compare(const MeshFile& remesh, const std::filesystem::path& original, std::size_t samples,
+                 Scheduler& scheduler, ProgressLine& progress) {
+  Likeness likeness;
+  const MeshEdges edges = load(original, likeness.original, scheduler, progress);
+  require_memory(original.string(),
+                 memory_to_judge(remesh.facts.triangles, likeness.original.facts.triangles));
+  require_area(remesh);
+  require_area(likeness.original);
+  progress.stage("measuring distances");
+  likeness.samples = samples;
+  likeness.distance =
+      measure_distance(scheduler, remesh.input.mesh, likeness.original.input.mesh, samples);
+  progress.stage("measuring energy");
+  measure_energy(remesh.input.mesh, edges, scheduler, likeness);
+  return likeness;
+}
+
+}  // namespace
+
+QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::path& original,
+                    std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
+  QualityRecord record;
+  const MeshEdges edges = load(remesh, record.remesh, scheduler, progress);
+  record.quality = measure_quality(record.remesh.input.mesh, edges);
+  if (!original.empty()) {
+    record.likeness = compare(record.remesh, original, samples, scheduler, progress);
+  }
+  progress.clear();
+  return record;
+}
+
+}  // namespace geolloyd

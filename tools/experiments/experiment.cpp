@@ -1,0 +1,95 @@
+#include "tools/experiments/experiment.h"
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <system_error>
+
+#include "tools/cli/facts_text.h"
+#include "tools/experiments/plot.h"
+#include "tools/files/csv.h"
+#include "tools/files/file_group.h"
+#include "tools/files/output_folder.h"
+#include "tools/system/build_facts.h"
+#include "tools/system/interrupt.h"
+#include "tools/system/machine.h"
+
+namespace geolloyd {
+
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
+  command
+      .add_option("-o,--output", output.folder,
+                  fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name))
+      ->type_name("FOLDER");
+  command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
+}
+
+void prepare_output(const ExperimentOutput& output, const std::string& name,
+                    const RelaxArguments& arguments) {
+  if (output.folder.empty()) return;
+  const std::string json = name + ".json";
+  const std::string csv = name + ".csv";
+  const std::array names = {json.c_str(), csv.c_str()};
+  const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
+  prepare_folder(output.folder, names, others);
+}
+
+Json begin_result(const std::string& command, const RunRecord& run) {
+  return {{"program", program_name()},
+          {"command", command},
+          {"machine", machine_part()},
+          {"mesh",
+           {{"file", run.arguments.mesh.string()},
+            {"vertices", run.facts.vertices},
+            {"triangles", run.facts.triangles}}}};
+}
+
+void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                 const Json& result) {
+  if (output.folder.empty()) return;
+  const std::array texts = {csv_text(rows), json_text(result)};
+  const std::string csv = name + ".csv";
+  const std::string json = name + ".json";
+  FileGroup files(output.folder, std::array{csv.c_str(), json.c_str()});
+  for (std::size_t i = 0; i < texts.size(); ++i) files[i].text(texts[i]);
+  files.commit();
+}
+
+void finish_experiment(const ExperimentOutput& output, const std::string& name) {
+  if (interrupted()) fmt::print("\nINTERRUPTED: this is only a part\n");
+  const std::filesystem::path json = output.folder / (name + ".json");
+  std::error_code error;
+  if (output.folder.empty() || !std::filesystem::exists(json, error)) return;
+  fmt::print("\n{}\n{}\n", (output.folder / (name + ".csv")).string(), json.string());
+  if (!output.no_plot) draw_plot(json);
+}
+
+Observer watcher(ProgressLine& progress, std::size_t seeds) {
+  return [&progress, seeds](const Progress& p) {
+    progress.show(p, seeds);
+    return !interrupted();
+  };
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 1) return fmt::format("{:.4g} ms", seconds * 1e3);
+  return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
+}
+
+void print_heading(const RunRecord& run, std::size_t seeds) {
+  const Graph& graph = run.mesh_graph.graph;
+  fmt::print("{}: {} graph, {}, {}, {}\n", run.arguments.mesh.string(), run.arguments.graph,
+             counted(graph.node_count(), "node", "nodes"),
+             counted(graph.arc_count(), "arc", "arcs"), counted(seeds, "seed", "seeds"));
+  print_machine();
+}
+
+void print_machine() {
+  const Machine machine = this_machine();
+  fmt::print("{}, {} at once, {}\n\n", machine.processor,
+             counted(machine.threads, "thread", "threads"), machine.compiler);
+}
+
+}  // namespace geolloyd

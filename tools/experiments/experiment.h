@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/cli/cli_fwd.h"
+#include "tools/report/report_parts.h"
+#include "tools/run/run_record.h"
+#include "tools/system/progress.h"
+
+namespace geolloyd {
+
+// What the commands that measure have in common: NAME.json, NAME.csv and pictures in a folder.
+
+struct ExperimentOutput {
+  std::filesystem::path folder;  ///< none: nothing is written
+  bool no_plot = false;
+};
+
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
+
+/// Makes sure that the files can be written and would replace no input.
+void prepare_output(const ExperimentOutput& output, const std::string& name,
+                    const RelaxArguments& arguments);
+
+/// The beginning of a result file: program, command, machine, mesh.
+Json begin_result(const std::string& command, const RunRecord& run);
+
+/// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
+void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
+                 const Json& result);
+
+/// Says what was written and draws it. Says so, too, if an interrupt came.
+void finish_experiment(const ExperimentOutput& output, const std::string& name);
+
+/// Leaves the first of equals.
+template <class Value>
+void drop_repeats(std::vector<Value>& list) {
+  std::vector<Value> kept;
+  for (const Value& value : list) {
+    if (std::find(kept.begin(), kept.end(), value) == kept.end()) kept.push_back(value);
+  }
+  list = std::move(kept);
+}
+
+/// Says on the terminal how far a relaxation is, and ends it when an interrupt came.
+Observer watcher(ProgressLine& progress, std::size_t seeds);
+
+/// "1.35 s", "24.5 ms".
+std::string duration_text(double seconds);
+
+/// A line that names mesh and graph, and the next.
+void print_heading(const RunRecord& run, std::size_t seeds);
+
+/// A line that names the machine.
+void print_machine();
+
+}  // namespace geolloyd

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/text/file_writer.h"
+
+namespace geolloyd {
+
+/// Files of one folder that appear together, once all of them are complete, or not at all. What was
+/// there under their names stays until then. The last one appears last, and what it replaces goes
+/// before all else: whoever finds it finds all files of one run.
+class FileGroup {
+ public:
+  FileGroup(const std::filesystem::path& folder, std::span<const char* const> names);
+
+  /// Of the n-th name.
+  FileWriter& operator[](std::size_t n) { return *files_[n]; }
+
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<FileWriter>> files_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,50 @@
+#include "tools/files/output_folder.h"
+
+#include <system_error>
+
+#include "core/base/errors.h"
+#include "core/formats/mesh_io.h"
+#include "core/text/file_io.h"
+
+namespace geolloyd {
+
+void check_target(const std::filesystem::path& target,
+                  std::span<const std::filesystem::path> others) {
+  const OutputFile probe(target);
+  std::error_code error;
+  for (const std::filesystem::path& other : others) {
+    if (other.empty()) continue;
+    if (std::filesystem::equivalent(target, other, error) ||
+        std::filesystem::weakly_canonical(target, error) ==
+            std::filesystem::weakly_canonical(other, error)) {
+      throw InvalidInput(other.string() + ": would be overwritten: write somewhere else");
+    }
+  }
+}
+
+void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other) {
+  check_mesh_name(target);
+  check_target(target, std::span(&other, 1));
+}
+
+void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,
+                    std::span<const std::filesystem::path> others) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw IoError(folder.string() + ": cannot make folder: " + error.message());
+  for (const char* name : names) check_target(folder / name, others);
+}
+
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) throw IoError(path.string() + ": cannot remove: " + error.message());
+}
+
+void write_text_file(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace geolloyd

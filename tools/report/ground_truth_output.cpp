@@ -1,0 +1,114 @@
+#include "tools/report/ground_truth_output.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/text/file_writer.h"
+#include "tools/cli/facts_text.h"
+#include "tools/experiments/experiment.h"
+#include "tools/files/file_group.h"
+#include "tools/files/output_folder.h"
+#include "tools/files/rows.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::array<const char*, 3> ground_truth_names = {
+    "ground-truth-regions.csv", "ground-truth-seeds.csv", "ground-truth.json"};
+
+Json spread_part(const Spread& spread) {
+  return {{"mean", spread.mean()}, {"max", spread.max()}};
+}
+
+void write_regions(const RunRecord& run, FileWriter& out) {
+  out.text("input_id,kind,region,ground_truth\n");
+  const std::vector<NodeId>& node_of = run.mesh_graph.node_of;
+  for (std::uint32_t id = 0; id < node_of.size(); ++id) {
+    const std::string_view kind = kind_of(run.mesh_graph, id);
+    const NodeId v = node_of[id];
+    if (v == no_id || run.ground_truth->region[v] == no_id) {
+      write_row(out, id, kind, "-1", "-1");
+    } else {
+      write_row(out, id, kind, region_of(run.relaxation.partition.key[v]),
+                run.ground_truth->region[v]);
+    }
+  }
+}
+
+void write_seeds(const RunRecord& run, FileWriter& out) {
+  out.text(
+      "input_id,kind,x,y,z,area,centroid_x,centroid_y,centroid_z,surface_x,surface_y,surface_z,"
+      "distance\n");
+  const GroundTruth& truth = *run.ground_truth;
+  for (std::size_t r = 0; r < truth.centroid.size(); ++r) {
+    const NodeId seed = run.relaxation.seeds[r];
+    const std::uint32_t id = run.mesh_graph.input_id[seed];
+    const Vec3& p = run.mesh_graph.position[seed];
+    const Vec3& c = truth.centroid[r];
+    const Vec3& s = truth.surface_centroid[r];
+    write_row(out, id, kind_of(run.mesh_graph, id), p.x(), p.y(), p.z(), truth.area[r], c.x(),
+              c.y(), c.z(), s.x(), s.y(), s.z(), truth.seed_distance[r]);
+  }
+}
+
+Json result_of(const RunRecord& run) {
+  Json result = begin_result("ground-truth", run);
+  result["options"] = options_part(run.arguments, run.relaxation.seeds.size());
+  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
+  result["ground_truth"] = ground_truth_part(*run.ground_truth);
+  result["threads"] = run.threads;
+  result["seconds"] = run.seconds.ground_truth;
+  return result;
+}
+
+}  // namespace
+
+std::string describe(const GroundTruth& truth) {
+  const Spread& edges = truth.distance_in_edges;
+  const Spread& radii = truth.distance_in_radii;
+  std::string text =
+      fmt::format("  {:<12}{:.2f}% of nodes, {:.2f}% of area, with the ground truth\n", "agreement",
+                  100 * truth.node_agreement, 100 * truth.area_agreement);
+  text += fmt::format(
+      "  {:<12}of the ground truth {:.3g} edges, {:.3g}% of the radius, from the seeds; at most "
+      "{:.3g}, {:.3g}%\n",
+      "centroids", edges.mean(), 100 * radii.mean(), edges.max(), 100 * radii.max());
+  text += fmt::format("  {:<12}energy {:.8g}, of the ground truth {:.8g}", "Euclidean",
+                      truth.graph_energy, truth.energy);
+  if (truth.hexagonal > 0) {
+    text += fmt::format(": {:.5g} and {:.5g} of a regular hexagonal tiling",
+                        truth.graph_energy / truth.hexagonal, truth.energy / truth.hexagonal);
+  }
+  return text + "\n";
+}
+
+Json ground_truth_part(const GroundTruth& truth) {
+  return {{"node_agreement", truth.node_agreement},
+          {"area_agreement", truth.area_agreement},
+          {"unreached_nodes", truth.unreached_nodes},
+          {"distance_in_edges", spread_part(truth.distance_in_edges)},
+          {"distance_in_radii", spread_part(truth.distance_in_radii)},
+          {"energy", truth.energy},
+          {"energy_ratio_hexagonal", truth.energy / truth.hexagonal},
+          {"graph_energy", truth.graph_energy},
+          {"graph_energy_ratio_hexagonal", truth.graph_energy / truth.hexagonal}};
+}
+
+void prepare_ground_truth_output(const RelaxArguments& arguments) {
+  if (arguments.output.empty()) return;
+  const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
+  prepare_folder(arguments.output, ground_truth_names, others);
+}
+
+void write_ground_truth(const RunRecord& run) {
+  if (run.arguments.output.empty()) return;
+  FileGroup files(run.arguments.output, ground_truth_names);
+  write_regions(run, files[0]);
+  write_seeds(run, files[1]);
+  files[2].text(json_text(result_of(run)));
+  files.commit();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,128 @@
+#include "tools/report/quality_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/facts_text.h"
+#include "tools/cli/text_table.h"
+#include "tools/report/report_parts.h"
+#include "tools/system/build_facts.h"
+
+namespace geolloyd {
+namespace {
+
+// Of the original's bounding-box diagonal.
+double percent(const Likeness& likeness, double distance) {
+  return 100 * distance / likeness.original.facts.bounding_diagonal;
+}
+
+std::int64_t difference(std::size_t a, std::size_t b) {
+  return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
+}
+
+std::string share_text(double share) {
+  return std::isnan(share) ? "none" : fmt::format("{:.2f} %", 100 * share);
+}
+
+std::string describe(const MeshQuality& q) {
+  return fmt::format(
+      "  {:<12}smallest {:.4g} degrees, mean of each triangle's smallest {:.4g}, "
+      "under 30 degrees {}\n"
+      "  {:<12}smallest {:.4g}, mean {:.4g}\n"
+      "  {:<12}6: {}, 5 to 7: {}, of {}\n",
+      "angle", q.smallest_angle, q.mean_smallest_angle, share_text(q.share_under_30), "quality Q",
+      q.smallest_quality, q.mean_quality, "valence", share_text(q.share_valence_6),
+      share_text(q.share_valence_5_to_7),
+      counted(q.inner_vertices, "inner vertex", "inner vertices"));
+}
+
+std::string distance_table(const Likeness& likeness) {
+  TextTable table({"distance", "mean", "%", "RMS", "%", "Hausdorff", "%"}, 1);
+  const auto add = [&](const char* name, const DistanceFigures& figures) {
+    std::vector<std::string> row = {name};
+    for (const double distance : {figures.mean, figures.rms, figures.largest}) {
+      row.push_back(fmt::format("{:.4g}", distance));
+      row.push_back(fmt::format("{:.4g}", percent(likeness, distance)));
+    }
+    table.add(std::move(row));
+  };
+  add("remesh to original", likeness.distance.from_first);
+  add("original to remesh", likeness.distance.from_second);
+  add("the larger", likeness.distance.two_sided());
+  return table.text();
+}
+
+std::string describe_file(const MeshFile& mesh) {
+  return fmt::format("{}\n{}  {:<12}{}\n", mesh.file.string(), describe(mesh.input, mesh.facts),
+                     "topology", describe(mesh.topology));
+}
+
+std::string describe(const Likeness& likeness, const MeshFile& remesh) {
+  const MeshFile& original = likeness.original;
+  return fmt::format(
+      "\n{}"
+      "  {:<12}Euler characteristic {:+}, components {:+}, boundary loops {:+} in the remesh\n"
+      "  {:<12}of the remesh's vertices as sites: {:.5g} of a regular hexagonal tiling\n"
+      "\n{}"
+      "  {} samples on each and all vertices; %: of the original's bounding-box diagonal\n",
+      describe_file(original), "difference",
+      remesh.facts.euler_characteristic - original.facts.euler_characteristic,
+      difference(remesh.facts.components, original.facts.components),
+      difference(remesh.topology.total().boundary_loops, original.topology.total().boundary_loops),
+      "energy", likeness.energy / likeness.hexagonal, distance_table(likeness),
+      grouped(likeness.samples));
+}
+
+Json quality_part(const MeshQuality& q) {
+  return {{"smallest_angle", q.smallest_angle},   {"mean_smallest_angle", q.mean_smallest_angle},
+          {"share_under_30", q.share_under_30},   {"smallest_quality", q.smallest_quality},
+          {"mean_quality", q.mean_quality},       {"inner_vertices", q.inner_vertices},
+          {"share_valence_6", q.share_valence_6}, {"share_valence_5_to_7", q.share_valence_5_to_7}};
+}
+
+Json figures_part(const Likeness& likeness, const DistanceFigures& figures) {
+  return {{"mean", figures.mean},
+          {"rms", figures.rms},
+          {"hausdorff", figures.largest},
+          {"mean_percent", percent(likeness, figures.mean)},
+          {"rms_percent", percent(likeness, figures.rms)},
+          {"hausdorff_percent", percent(likeness, figures.largest)}};
+}
+
+Json likeness_part(const Likeness& likeness) {
+  return {{"samples", likeness.samples},
+          {"remesh_to_original", figures_part(likeness, likeness.distance.from_first)},
+          {"original_to_remesh", figures_part(likeness, likeness.distance.from_second)},
+          {"two_sided", figures_part(likeness, likeness.distance.two_sided())},
+          {"energy", likeness.energy},
+          {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal}};
+}
+
+}  // namespace
+
+std::string quality_text(const QualityRecord& record) {
+  const MeshFile& remesh = record.remesh;
+  std::string text = describe_file(remesh) + describe(record.quality);
+  if (record.likeness) text += describe(*record.likeness, remesh);
+  return text;
+}
+
+std::string quality_report(const QualityRecord& record) {
+  const MeshFile& remesh = record.remesh;
+  Json report;
+  report["program"] = program_name();
+  report["remesh"] = mesh_part(remesh.file, remesh.input, remesh.facts);
+  report["topology"] = topology_part(remesh.topology);
+  report["quality"] = quality_part(record.quality);
+  if (record.likeness) {
+    const MeshFile& original = record.likeness->original;
+    report["original"] = mesh_part(original.file, original.input, original.facts);
+    report["original_topology"] = topology_part(original.topology);
+    report["likeness"] = likeness_part(*record.likeness);
+  }
+  return json_text(report);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+
+#include "parallel/threads/scheduler.h"
+#include "tools/files/file_group.h"
+#include "tools/run/run_record.h"
+
+namespace geolloyd {
+
+/// From where an interrupted or killed run goes on.
+std::filesystem::path checkpoint_path(const RelaxArguments& arguments);
+
+/// Makes the folder and makes sure that the results and the picture can be written, before hours of
+/// work depend on it, and that none of them would replace the mesh, the field or the file of the
+/// first seeds. Throws Error.
+void prepare_output(const RelaxArguments& arguments);
+
+/// The files of the results. Those of another run stay until write_report.
+FileGroup open_results(const RelaxArguments& arguments);
+
+/// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
+/// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
+/// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
+/// added seeds last.
+void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler);
+
+/// report.json (report.h), with which all of them appear.
+void write_report(const RunRecord& run, FileGroup& files);
+
+}  // namespace geolloyd

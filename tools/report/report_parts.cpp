@@ -1,0 +1,128 @@
+#include "tools/report/report_parts.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/names.h"
+#include "tools/system/machine.h"
+
+namespace geolloyd {
+namespace {
+
+Json limit(std::uint32_t value) {
+  return value == RelaxationOptions::no_limit ? Json(nullptr) : Json(value);
+}
+
+Json path_or_null(const std::filesystem::path& path) {
+  return path.empty() ? Json(nullptr) : Json(path.string());
+}
+
+}  // namespace
+
+Json machine_part() {
+  const Machine m = this_machine();
+  return {{"processor", m.processor},
+          {"threads", m.threads},
+          {"memory_bytes", m.memory_bytes},
+          {"system", m.system},
+          {"compiler", m.compiler}};
+}
+
+Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts) {
+  return {{"file", file.string()},
+          {"format", input.format},
+          {"vertices", facts.vertices},
+          {"edges", facts.edges},
+          {"triangles", facts.triangles},
+          {"polygons_split", input.polygon_count},
+          {"corners_welded", input.welded_corners},
+          {"unreferenced_vertices", facts.unreferenced_vertices},
+          {"repeated_vertex_triangles", facts.repeated_vertex_triangles},
+          {"zero_area_triangles", facts.zero_area_triangles},
+          {"duplicate_triangles", facts.duplicate_triangles},
+          {"boundary_edges", facts.boundary_edges},
+          {"non_manifold_edges", facts.non_manifold_edges},
+          {"inconsistent_edges", facts.inconsistent_edges},
+          {"zero_length_edges", facts.zero_length_edges},
+          {"components", facts.components},
+          {"euler_characteristic", facts.euler_characteristic},
+          {"area", facts.area},
+          {"bounding_diagonal", facts.bounding_diagonal}};
+}
+
+Json graph_part(const Graph& graph, std::size_t components) {
+  return {{"nodes", graph.node_count()},
+          {"arcs", graph.arc_count()},
+          {"components", components},
+          {"tick_length", graph.tick_length},
+          {"tick_mass", graph.tick_mass}};
+}
+
+Json steps_part(const StepCounts& counts) {
+  return {{"greedy", counts.greedy},
+          {"macro", counts.macro},
+          {"micro", counts.micro},
+          {"partitions", counts.partitions},
+          {"node_visits", counts.node_visits}};
+}
+
+Json topology_part(const MeshTopology& topology) {
+  const PartTopology total = topology.total();
+  return {{"components", topology.parts.size()},
+          {"euler_characteristic", total.euler_characteristic},
+          {"boundary_loops", total.boundary_loops},
+          {"non_manifold_edges", topology.non_manifold_edges},
+          {"non_manifold_vertices", topology.non_manifold_vertices},
+          {"inconsistent_edges", topology.inconsistent_edges}};
+}
+
+Json kernel_seconds_part(const KernelSeconds& seconds) {
+  Json part;
+  for (const auto& [name, kernel] : kernel_names) part[name] = seconds.*kernel;
+  return part;
+}
+
+Json options_part(const RelaxArguments& a, std::size_t seeds) {
+  return {{"graph", a.graph},
+          {"norm", a.norm},
+          {"vfield", path_or_null(a.vfield)},
+          {"seeds", seeds},
+          {"seeds_file", path_or_null(a.seeds_file)},
+          {"init", a.seeds_file.empty() ? Json(a.init) : Json(nullptr)},
+          {"random_seed", a.random_seed},
+          {"greedy", a.greedy},
+          {"microstep_skip", !a.no_microstep_skip},
+          {"macrostep_skip", !a.no_macrostep_skip},
+          {"max_greedy_steps", limit(a.max_greedy_steps)},
+          {"max_macrosteps", limit(a.max_macrosteps)}};
+}
+
+Json number_or_null(std::optional<double> value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string fingerprint_text(std::uint64_t fingerprint) {
+  return fmt::format("{:016x}", fingerprint);
+}
+
+double initial_energy(const Relaxation& relaxation) {
+  return relaxation.steps.empty() ? relaxation.energy : relaxation.steps.front().energy;
+}
+
+StepCounts count_steps(const Relaxation& relaxation) {
+  StepCounts counts;
+  for (const Step& step : relaxation.steps) {
+    ++(step.phase == Phase::greedy ? counts.greedy : counts.macro);
+    ++counts.partitions;
+    counts.micro += step.microsteps.size();
+    for (const Microstep& m : step.microsteps) counts.partitions += m.node_visits > 0 ? 1 : 0;
+    counts.node_visits += step.node_visits;
+  }
+  return counts;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "core/base/kernel_seconds.h"
+#include "core/graph/graph.h"
+#include "core/mesh/mesh_topology.h"
+#include "tools/run/run_record.h"
+
+namespace geolloyd {
+
+using Json = nlohmann::ordered_json;
+
+// What the JSON files of several commands have in common; the README lists the keys.
+
+Json machine_part();
+Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts);
+Json graph_part(const Graph& graph, std::size_t components);
+Json topology_part(const MeshTopology& topology);
+Json kernel_seconds_part(const KernelSeconds& seconds);
+/// What was asked for, but for the engine.
+Json options_part(const RelaxArguments& arguments, std::size_t seeds);
+
+/// Not a number: null.
+Json number_or_null(std::optional<double> value);
+/// Indented text. Names that are not UTF-8 get replacement characters.
+std::string json_text(const Json& json);
+
+/// The fingerprint as 16 hexadecimal digits.
+std::string fingerprint_text(std::uint64_t fingerprint);
+
+/// Of the first seeds.
+double initial_energy(const Relaxation& relaxation);
+
+/// Sums over the steps of a trace.
+struct StepCounts {
+  std::size_t greedy = 0;
+  std::size_t macro = 0;
+  std::size_t micro = 0;
+  std::size_t partitions = 0;  ///< searches, regions free and locked
+  std::uint64_t node_visits = 0;
+};
+StepCounts count_steps(const Relaxation& relaxation);
+Json steps_part(const StepCounts& counts);
+
+}  // namespace geolloyd

@@ -1,0 +1,153 @@
+#include "tools/system/memory_estimate.h"
+
+#include <algorithm>
+
+namespace geolloyd {
+namespace {
+
+using Bytes = std::uint64_t;
+
+// The program itself, libraries, stacks and small things.
+constexpr Bytes base = 32'000'000;
+constexpr Bytes per_thread = 300'000;
+// What the allocator loses between blocks.
+constexpr Bytes with_gaps(Bytes bytes) {
+  return bytes + bytes / 10;
+}
+
+constexpr Bytes mesh_bytes(Bytes vertices, Bytes triangles) {
+  return 24 * vertices + 12 * triangles;  // Mesh
+}
+
+// An edge has two ends and a first corner, a triangle is three corners (MeshEdges).
+constexpr Bytes edge_bytes(Bytes edges, Bytes triangles) {
+  return 12 * edges + 12 * triangles;
+}
+
+// Corners by vertex, eight bytes each, and as many counts per vertex as there are parts
+// (group_items).
+constexpr Bytes finding_edges(Bytes vertices, Bytes triangles) {
+  return 24 * triangles + 20 * vertices;
+}
+
+// Of E - V + F, and where triangles have no neighbours.
+constexpr Bytes likely_edges(Bytes triangles) {
+  return triangles * 3 / 2;
+}
+
+// Embree: corners and indices as floats and integers, and the tree above them. Measured: 73 to 97
+// bytes for rays, 113 to 149 for nearest points.
+constexpr Bytes scene_of_rays(Bytes triangles) {
+  return 100 * triangles;
+}
+constexpr Bytes scene_of_points(Bytes triangles) {
+  return 150 * triangles;
+}
+
+// MeshGraph: two ids, position, first arc and mass of a node; target and length of an arc.
+Bytes graph_bytes(const RunSize& s) {
+  return 4 * (s.vertices + s.triangles) + 36 * s.nodes + 16 * s.links;
+}
+
+// Links, what they become, and what is on the way: places in spatial order, counts, masses, the
+// breadth-first tree.
+Bytes building_graph(const RunSize& s) {
+  const Bytes spaces = s.has_field ? 64 * (s.vertices + s.triangles) : 0;  // TangentSpace
+  return edge_bytes(s.edges, s.triangles) + graph_bytes(s) + 45 * s.nodes + 40 * s.links + spaces;
+}
+
+// Keys, parents, sums, what a node belongs to; and a copy of the partition in the result.
+Bytes engine_bytes(const RunSize& s) {
+  if (s.is_reference) return 80 * s.nodes;
+  // Each thread has a copy of the region it works on: with few seeds, of much of the graph. On a
+  // large region all work together, with keys and buckets for it.
+  const Bytes at_work = 2 * std::min<Bytes>(s.threads, s.seeds);
+  const Bytes copies = 160 * s.nodes + 16 * s.links;
+  return 64 * s.nodes + (at_work < s.seeds ? copies / s.seeds * at_work : copies) +
+         100 * s.nodes / std::max<Bytes>(s.seeds, 1);
+}
+
+// Components, samplers, keys.
+Bytes choosing_seeds(const RunSize& s) {
+  return 52 * s.nodes;
+}
+
+Bytes points(const RunSize& s) {
+  return s.vertices + (s.has_triangle_nodes ? s.triangles : 0);
+}
+
+// RegionSurface: three triangles for one where barycentres are points.
+Bytes surface_bytes(const RunSize& s) {
+  return 12 * s.triangles * (s.has_triangle_nodes ? 3 : 1) + 16 * points(s);
+}
+
+// The edges again; the regions spread over the surface, as they are and, while seeds are added, as
+// they were and will be; what joins their points.
+Bytes making_remesh(const RunSize& s) {
+  return edge_bytes(s.edges, s.triangles) + 3 * surface_bytes(s) + 30 * points(s);
+}
+
+// For the result, or for the vertices of the remesh.
+Bytes finding_ground_truth(const RunSize& s) {
+  return edge_bytes(s.edges, s.triangles) + surface_bytes(s) + scene_of_points(s.triangles) +
+         40 * s.triangles + 12 * s.nodes;
+}
+
+// The mesh again, normals, distances at its places; of a sample what its ray hits, light, region,
+// colour, and a stroke where regions meet.
+Bytes drawing(Bytes vertices, Bytes triangles, Bytes samples) {
+  return mesh_bytes(vertices, triangles) + 24 * (vertices + triangles) + 16 * vertices +
+         scene_of_rays(triangles) + 25 * samples;
+}
+
+}  // namespace
+
+Bytes memory_to_read(Bytes file_bytes) {
+  return file_bytes;
+}
+
+Bytes memory_to_check(Bytes vertices, Bytes triangles) {
+  return base + with_gaps(mesh_bytes(vertices, triangles) + finding_edges(vertices, triangles) +
+                          edge_bytes(likely_edges(triangles), triangles));
+}
+
+Bytes memory_to_run(const RunSize& s) {
+  const Bytes relaxing = graph_bytes(s) + engine_bytes(s);
+  Bytes most = std::max(
+      {building_graph(s), graph_bytes(s) + choosing_seeds(s), relaxing + making_remesh(s)});
+  if (s.has_ground_truth) {
+    most = std::max(most, relaxing + finding_ground_truth(s));
+  }
+  if (s.samples > 0) {
+    most = std::max(most, relaxing + drawing(s.vertices, s.triangles, s.samples));
+  }
+  constexpr Bytes per_seed = 1000;  // totals, summaries, a vertex of the remesh
+  return std::max(memory_to_check(s.vertices, s.triangles),
+                  base + s.threads * per_thread +
+                      with_gaps(mesh_bytes(s.vertices, s.triangles) + most + per_seed * s.seeds));
+}
+
+Bytes memory_to_draw(Bytes vertices, Bytes triangles, Bytes samples) {
+  return base + with_gaps(mesh_bytes(vertices, triangles) +
+                          edge_bytes(likely_edges(triangles), triangles) +
+                          drawing(vertices, triangles, samples));
+}
+
+Bytes memory_to_judge(Bytes triangles, Bytes others) {
+  const auto loaded = [](Bytes t) { return mesh_bytes(t / 2, t) + edge_bytes(likely_edges(t), t); };
+  return base + with_gaps(loaded(triangles) + loaded(others) +
+                          scene_of_points(std::max(triangles, others)) +
+                          finding_edges(triangles / 2, triangles));
+}
+
+Bytes memory_to_subdivide(Bytes triangles, Bytes times) {
+  const Bytes before = mesh_bytes(triangles / 2, triangles) +
+                       edge_bytes(likely_edges(triangles), triangles) + 12 * triangles;
+  return base + before + mesh_bytes(times * triangles / 2, times * triangles);
+}
+
+Bytes memory_to_generate(Bytes triangles) {
+  return base + mesh_bytes(triangles / 2, triangles);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "tools/cli/cli_fwd.h"
+
+namespace geolloyd {
+
+// How much memory the program may hold. The system gives memory away that it does not have, and
+// ends a program that then uses it: so what cannot fit is refused before the work, and what was
+// not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
+
+/// Limits this process from now on, instead of any earlier limit.
+void limit_memory(std::uint64_t bytes);
+
+/// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
+/// 0: as many as the machine has. Throws InvalidInput where the shell has no room for them.
+void make_room_for_threads(std::size_t count);
+
+/// Other programs started meanwhile have the limits that this one found.
+class LiftedMemoryLimit {
+ public:
+  LiftedMemoryLimit();
+  LiftedMemoryLimit(const LiftedMemoryLimit&) = delete;
+  LiftedMemoryLimit& operator=(const LiftedMemoryLimit&) = delete;
+  ~LiftedMemoryLimit();
+};
+
+/// Adds --memory-limit, which calls that.
+void add_memory_option(CLI::App& command);
+
+/// Throws InvalidInput where `bytes` are more than the limit. Says on standard error, once for each
+/// higher number, that a large run begins.
+void require_memory(const std::string& what, std::uint64_t bytes);
+
+/// What to tell the user when memory has run out.
+std::string out_of_memory_message();
+
+/// "14.2 GB".
+std::string memory_text(std::uint64_t bytes);
+
+}  // namespace geolloyd

@@ -1,0 +1,56 @@
+#include "tools/system/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace geolloyd {
+namespace {
+
+constexpr double seconds_between_updates = 0.1;
+constexpr std::size_t bar_width = 12;
+
+// The share of seeds at rest: it does not rise steadily, but it ends full.
+std::string bar(std::size_t moving, std::size_t seeds) {
+  const std::size_t full = bar_width * (seeds - moving) / seeds;
+  return std::string(full, '#') + std::string(bar_width - full, '.');
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void ProgressLine::stage(const std::string& what) {
+  part_.clear();
+  print(what + " ...");
+}
+
+void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
+  if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return;
+  last_shown_ = watch_.seconds();
+  const bool greedy = progress.phase == Phase::greedy;
+  print(fmt::format("{:<7} {:<4} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s",
+                    greedy ? "greedy" : "precise", progress.step,
+                    bar(progress.seeds_moving, seed_count), progress.seeds_moving, seed_count,
+                    progress.energy, watch_.seconds()));
+}
+
+void ProgressLine::clear() {
+  if (printed_) std::fputs("\r\033[K", stderr);
+  printed_ = false;
+}
+
+void ProgressLine::print(const std::string& text) {
+  if (!on_terminal_) return;
+  // A line that wraps could not be taken back.
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const std::string line = (part_ + text).substr(0, known ? size.ws_col - 1U : 79U);
+  std::fputs(("\r\033[K" + line).c_str(), stderr);
+  std::fflush(stderr);
+  printed_ = true;
+}
+
+}  // namespace geolloyd
