@@ -14,7 +14,7 @@ forbid() {  # folder, what, pattern
   fi
 }
 
-forbid core 'names a thread' '<(thread|atomic|mutex|future|omp\.h|tbb/)|#pragma omp|std::(thread|atomic|mutex|async)'
+forbid core 'names a thread' '<(thread|mutex|future|omp\.h|tbb/)|#pragma omp|std::(thread|mutex|async)'
 forbid core 'prints or exits' 'std::(cout|cerr|clog|exit|abort)|\bprintf\(|\bstd::printf|fputs\('
 forbid core 'includes from a later room' '#include "(parallel|tools|bench|tests)/'
 forbid parallel 'includes from a later room' '#include "(tools|bench|tests)/'

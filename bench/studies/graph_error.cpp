@@ -13,12 +13,12 @@
 
 #include "core/base/errors.h"
 #include "core/base/stopwatch.h"
+#include "core/graph/mesh_graph.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "core/voronoi/graph_error.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
 
 namespace geolloyd {
 namespace {
@@ -95,7 +95,7 @@ struct Row {
 
 void take_turn(Row& row, Scheduler& scheduler, const Mesh& mesh, const MeshEdges& edges) {
   const Stopwatch watch;
-  row.made = make_mesh_graph(scheduler, mesh, edges, {row.kind, Norm::geodesic, {}});
+  row.made = make_mesh_graph(mesh, edges, {row.kind, Norm::geodesic, {}}, scheduler);
   row.graph_seconds.push_back(watch.seconds());
   const Graph& graph = row.made.graph;
   const std::vector<NodeId> seeds =
@@ -124,7 +124,7 @@ void print_row(const char* surface, const Row& row, const Row& vertex, const Gra
 // The kinds take turns, so that what slows the machine slows all of them.
 void print_rows(const Surface& surface) {
   Scheduler scheduler;
-  const MeshEdges edges = find_edges(scheduler, surface.mesh);
+  const MeshEdges edges = find_edges(surface.mesh, scheduler);
   std::vector<Row> rows;
   rows.reserve(kinds.size());
   for (const auto& [name, kind] : kinds) rows.push_back({name, kind, {}, {}, {}});

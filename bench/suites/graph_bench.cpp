@@ -1,13 +1,14 @@
-// From a mesh to its graphs, by core and by its parallel twins.
+// From a mesh to its graphs, by one thread and by several.
 #include <string>
 #include <utility>
 
 #include "bench/suites/suites.h"
 #include "bench/support/run.h"
 #include "bench/support/same_bytes.h"
-#include "parallel/mesh/mesh_check.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "core/graph/mesh_graph.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
+#include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
 namespace {
@@ -72,12 +73,12 @@ void add_parallel(const BenchMesh& mesh, std::size_t threads) {
   add_benchmark("edges", mesh, setting, [](Run& run) {
     Inputs& in = run.inputs();
     Scheduler scheduler(run.threads());
-    measure_edges(run, [&] { return find_edges(scheduler, in.mesh()); });
+    measure_edges(run, [&] { return find_edges(in.mesh(), scheduler); });
   });
   add_benchmark("check", mesh, setting, [](Run& run) {
     Inputs& in = run.inputs();
     Scheduler scheduler(run.threads());
-    measure_check(run, [&] { return check_mesh(scheduler, in.mesh(), in.edges()); });
+    measure_check(run, [&] { return check_mesh(in.mesh(), in.edges(), scheduler); });
   });
   for (const auto& [name, kind] : kinds) {
     add_benchmark(std::string("graph/") + name, mesh, setting, [kind = kind](Run& run) {
@@ -85,7 +86,7 @@ void add_parallel(const BenchMesh& mesh, std::size_t threads) {
       Scheduler scheduler(run.threads());
       const MeshGraphOptions options{kind, Norm::geodesic, {}};
       measure_graph(run, kind,
-                    [&] { return make_mesh_graph(scheduler, in.mesh(), in.edges(), options); });
+                    [&] { return make_mesh_graph(in.mesh(), in.edges(), options, scheduler); });
     });
   }
 }

@@ -7,7 +7,7 @@
 #include "bench/support/run.h"
 #include "core/seeds/seeds.h"
 #include "core/voronoi/dijkstra.h"
-#include "parallel/engine/growing_search.h"
+#include "parallel/engine/parallel_growing_search.h"
 
 namespace geolloyd {
 namespace {
@@ -53,7 +53,9 @@ void choose_in_parallel(Run& run, SeedInit init) {
   const Graph& graph = run.inputs().graph();
   run.inputs().components();
   Scheduler scheduler(run.threads());
-  const auto work = [&] { return choose(run, init, *make_growing_search(scheduler, graph)); };
+  const auto work = [&] {
+    return choose(run, init, *make_parallel_growing_search(scheduler, graph));
+  };
   run.verify("not the seeds of the sequential twin",
              [&] { return work() == choose(run, init, *make_growing_search(graph)); });
   run.measure(work);

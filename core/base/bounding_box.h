@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "core/base/executor.h"
+#include "core/base/loops.h"
 #include "core/base/vec3.h"
 
 namespace geolloyd {
@@ -35,23 +35,23 @@ struct GrowingBox {
 };
 
 /// The box of position_of(i) for i < count. At the origin, and empty, without any.
-template <class Executor, class PositionOf>
-BoundingBox bounding_box_on(Executor& executor, std::size_t count, PositionOf&& position_of) {
+template <class PositionOf>
+BoundingBox bounding_box(std::size_t count, PositionOf&& position_of,
+                         Executor& executor = sequential()) {
   if (count == 0) return {};
-  const auto box =
-      sum_ranges<GrowingBox>(executor, count, small_items, [&](std::size_t begin, std::size_t end) {
-        GrowingBox part;
-        for (std::size_t i = begin; i < end; ++i) {
-          part.add(position_of(i));
-        }
-        return part;
-      });
+  const auto box = parallel_reduce<GrowingBox>(executor, count, small_items,
+                                               [&](std::size_t begin, std::size_t end) {
+                                                 GrowingBox part;
+                                                 for (std::size_t i = begin; i < end; ++i) {
+                                                   part.add(position_of(i));
+                                                 }
+                                                 return part;
+                                               });
   return {box.low, box.high};
 }
 
 inline BoundingBox bounding_box(std::span<const Vec3> points) {
-  Sequential one;
-  return bounding_box_on(one, points.size(), [&](std::size_t i) { return points[i]; });
+  return bounding_box(points.size(), [&](std::size_t i) { return points[i]; });
 }
 
 }  // namespace geolloyd

@@ -5,23 +5,24 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/executor.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 
-/// Union-find, halving paths. The root of a set is its smallest member, so that it is the same
-/// whatever the order of unions. All members may be used at once.
-template <class Executor>
+/// Union-find with path halving (Tarjan, van Leeuwen 1984). The root of a set is its smallest
+/// member, so that the root does not depend on the order of unions. The threads of `executor` may
+/// use all members at once.
 class DisjointSets {
  public:
-  DisjointSets(Executor& executor, std::size_t size) : executor_(executor), parent_(size) {
+  explicit DisjointSets(std::size_t size, const Executor& executor = sequential())
+      : is_shared_(executor.threads() > 1), parent_(size) {
     for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
 
   std::uint32_t find(std::uint32_t x) {
-    for (std::uint32_t up = parent(x); up != x; up = parent(x)) {
-      const std::uint32_t further = parent(up);
-      if (further != up) store(executor_, parent_[x], further);
+    for (std::uint32_t up = relaxed_load(parent_[x]); up != x; up = relaxed_load(parent_[x])) {
+      const std::uint32_t further = relaxed_load(parent_[up]);
+      if (further != up) relaxed_store(parent_[x], further);
       x = further;
     }
     return x;
@@ -34,14 +35,19 @@ class DisjointSets {
       b = find(b);
       if (a == b) return false;
       if (a < b) std::swap(a, b);
-      if (replace(executor_, parent_[a], a, b)) return true;
+      if (hang(a, b)) return true;
     }
   }
 
  private:
-  std::uint32_t parent(std::uint32_t x) { return load(executor_, parent_[x]); }
+  // One thread alone needs no locked instruction.
+  bool hang(std::uint32_t root, std::uint32_t below) {
+    if (is_shared_) return compare_exchange(parent_[root], root, below);
+    parent_[root] = below;
+    return true;
+  }
 
-  Executor& executor_;
+  bool is_shared_;
   std::vector<std::uint32_t> parent_;  // of a root, itself; of others, a smaller member
 };
 

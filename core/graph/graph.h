@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/base/types.h"
 
 namespace geolloyd {
@@ -41,17 +43,28 @@ struct Graph {
   }
 };
 
-/// One undirected arc before it is put in place; length in mesh units, a number, not negative.
-struct Link {
+/// An arc before it is put in place at both ends. The length is in mesh units, a number, not
+/// negative.
+struct UndirectedArc {
   NodeId a;
   NodeId b;
   double length;
 };
 
-/// Puts links in place and quantises lengths and masses. Of links between the same two nodes the
-/// shortest stays; links from a node to itself go. Throws InvalidInput where there are more nodes
-/// or arcs than fit, a path of more than most_path_arcs (graph_on.h), or a length or mass so large
-/// that twice the depth of a tree, or an energy, is not finite.
-Graph make_graph(std::span<const Link> links, std::span<const double> masses);
+/// Throw InvalidInput where there are more than fit. They are called before memory is taken.
+void check_node_count(std::size_t nodes);
+void check_arc_count(std::uint64_t undirected_arcs);
+
+/// Puts arcs in place and quantises lengths and masses. Of arcs between the same two nodes the
+/// shortest stays; arcs from a node to itself go. Throws InvalidInput where there are more nodes or
+/// arcs than fit, a path of more than most_path_arcs (ticks.h), or a length or mass so large that
+/// twice the depth of a tree, or an energy, is not finite.
+Graph make_graph(std::span<const UndirectedArc> arcs, std::span<const double> masses,
+                 Executor& executor = sequential());
+
+/// The same. The masses, one per node, are those that `masses` returns; it is called beside other
+/// work.
+Graph make_graph(std::span<const UndirectedArc> arcs, std::size_t nodes,
+                 const std::function<std::vector<double>()>& masses, Executor& executor);
 
 }  // namespace geolloyd

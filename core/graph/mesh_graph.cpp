@@ -3,24 +3,14 @@
 #include <string>
 
 #include "core/base/errors.h"
-#include "core/graph/mesh_graph_on.h"
+#include "core/base/loops.h"
+#include "core/base/packing.h"
+#include "core/graph/mesh_arcs.h"
+#include "core/graph/spatial_order.h"
+#include "core/mesh/mesh_measure.h"
 
 namespace geolloyd {
-
-double length_in_metric(const Place& a, const Place& b, double isotropic, Norm norm_kind) {
-  const bool in_field = a.space != nullptr && b.space != nullptr;
-  if (!in_field && norm_kind == Norm::geodesic) return isotropic;
-  const Vec3 chord = b.position - a.position;
-  const double chord_length = norm(chord);
-  if (chord_length == 0) return isotropic;
-  const Vec3 displacement = chord * (isotropic / chord_length);
-  return in_field ? measure(displacement, average(*a.space, *b.space), norm_kind)
-                  : measure(displacement, norm_kind);
-}
-
-double straight_length(const Place& a, const Place& b, Norm norm_kind) {
-  return length_in_metric(a, b, norm(b.position - a.position), norm_kind);
-}
+namespace {
 
 MeshGraph start_mesh_graph(const Mesh& mesh, GraphKind kind) {
   MeshGraph result;
@@ -46,6 +36,35 @@ Vec3 position_of(const Mesh& mesh, const MeshGraph& target, std::uint32_t id) {
              : mesh.positions[id];
 }
 
+// Input ids that have nodes, ascending.
+std::vector<std::uint32_t> used_input_ids(const Mesh& mesh, const MeshGraph& target,
+                                          Executor& executor) {
+  std::vector<std::uint8_t> referenced;
+  if (has_vertices(target.kind)) referenced = referenced_vertices(mesh, executor);
+  return pack_indices(executor, target.node_of.size(), [&](std::size_t id) {
+    return target.is_triangle(static_cast<std::uint32_t>(id))
+               ? has_three_vertices(mesh.triangles[id - target.first_triangle_id])
+               : referenced[id] != 0;
+  });
+}
+
+void number_nodes(const Mesh& mesh, MeshGraph& target, Executor& executor) {
+  const std::vector<std::uint32_t> used = used_input_ids(mesh, target, executor);
+  check_node_count(used.size());
+  const std::vector<std::uint32_t> order = spatial_order(
+      used.size(), [&](std::size_t i) { return position_of(mesh, target, used[i]); }, executor);
+  parallel_invoke(
+      executor, [&] { target.input_id.resize(used.size()); },
+      [&] { target.position.resize(used.size()); });
+  parallel_for(executor, used.size(), small_items, [&](std::size_t node) {
+    const std::uint32_t id = used[order[node]];
+    target.node_of[id] = static_cast<NodeId>(node);
+    target.input_id[node] = id;
+    target.position[node] = position_of(mesh, target, id);
+  });
+}
+
+// Areas of triangles, and thirds of them for vertices, by node.
 std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& target) {
   const Buffer<double> of_triangle = triangle_areas(mesh, edges.duplicates);
   std::vector<double> of_vertex;
@@ -59,24 +78,18 @@ std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const 
   return masses;
 }
 
-std::uint64_t count_links(const Mesh& mesh, const MeshEdges& edges, GraphKind kind) {
-  std::uint64_t links = has_vertices(kind) ? edges.size() : 0;
-  for (std::size_t e = 0; kind != GraphKind::vertex && e < edges.size(); ++e) {
-    links += pairs(edges.corners(e).size());
-  }
-  if (kind == GraphKind::mixed) links += edges.corner.size();
-  if (kind == GraphKind::triangle_dense) {
-    std::vector<std::uint32_t> fan(mesh.vertex_count(), 0);
-    for (const CornerId corner : edges.corner) ++fan[apex(mesh, corner)];
-    for (const std::uint32_t triangles : fan) links += pairs(triangles);
-  }
-  return links;
-}
+}  // namespace
 
-MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges,
-                          const MeshGraphOptions& options) {
-  Sequential one;
-  return make_mesh_graph_on(one, mesh, edges, options);
+MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
+                          Executor& executor) {
+  MeshGraph result = start_mesh_graph(mesh, options.kind);
+  number_nodes(mesh, result, executor);
+  check_some_nodes(result);
+  const Buffer<UndirectedArc> arcs = find_arcs(mesh, edges, options, result, executor);
+  result.graph = make_graph(
+      {arcs.begin(), arcs.end()}, result.input_id.size(),
+      [&] { return node_masses(mesh, edges, result); }, executor);
+  return result;
 }
 
 std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes) {

@@ -50,16 +50,16 @@ struct MeshGraphOptions {
   std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
 };
 
-/// Links that the graph is made of, before those between the same two nodes become one. Many
-/// triangles at one edge or vertex make links by the square of their number.
-std::uint64_t count_links(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
+/// Number of arcs, in one direction, before those between the same two nodes become one. Many
+/// triangles at one edge or vertex make arcs by the square of their number.
+std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
 
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
 /// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A
 /// non-manifold edge joins all its triangles to each other. Throws InvalidInput where nothing is
 /// left to make a graph of, or 32-bit ids do not suffice.
-MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges,
-                          const MeshGraphOptions& options);
+MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
+                          Executor& executor = sequential());
 
 }  // namespace geolloyd

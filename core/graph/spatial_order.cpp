@@ -1,7 +1,5 @@
 #include "core/graph/spatial_order.h"
 
-#include "core/graph/spatial_order_on.h"
-
 namespace geolloyd {
 namespace {
 
@@ -27,11 +25,6 @@ std::uint64_t MortonGrid::code(const Vec3& p) const {
     return static_cast<std::uint64_t>((p[axis] - low[axis]) / extent * most_cells);
   };
   return (spread(cell(0)) << 2) | (spread(cell(1)) << 1) | spread(cell(2));
-}
-
-std::vector<std::uint32_t> spatial_order(std::span<const Vec3> positions) {
-  Sequential one;
-  return spatial_order_on(one, positions.size(), [&](std::size_t i) { return positions[i]; });
 }
 
 }  // namespace geolloyd

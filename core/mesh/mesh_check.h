@@ -27,6 +27,6 @@ struct MeshFacts {
   double bounding_diagonal = 0;               ///< of the referenced vertices, mesh units
 };
 
-MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges);
+MeshFacts check_mesh(const Mesh& mesh, const MeshEdges& edges, Executor& executor = sequential());
 
 }  // namespace geolloyd

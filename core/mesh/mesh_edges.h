@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
 
 namespace geolloyd {
@@ -50,6 +52,12 @@ struct MeshEdges {
 
 /// Triangles that name a vertex twice have no edges. O(triangles), but for the sorting of the edges
 /// at one vertex.
-MeshEdges find_edges(const Mesh& mesh);
+MeshEdges find_edges(const Mesh& mesh, Executor& executor = sequential());
+
+/// Per vertex, 1 where it is a corner of a triangle with three vertices, else 0.
+std::vector<std::uint8_t> referenced_vertices(const Mesh& mesh, Executor& executor = sequential());
+
+/// Positions of these vertices, by id.
+std::vector<Vec3> referenced_positions(const Mesh& mesh, Executor& executor = sequential());
 
 }  // namespace geolloyd

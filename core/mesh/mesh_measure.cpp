@@ -1,5 +1,7 @@
 #include "core/mesh/mesh_measure.h"
 
+#include "core/base/loops.h"
+
 namespace geolloyd {
 
 double triangle_area(const Mesh& mesh, const Triangle& triangle) {
@@ -8,9 +10,13 @@ double triangle_area(const Mesh& mesh, const Triangle& triangle) {
   return 0.5 * norm(cross(mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a));
 }
 
-Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates) {
-  Sequential one;
-  return triangle_areas_on(one, mesh, duplicates);
+Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                              Executor& executor) {
+  Buffer<double> areas(mesh.triangle_count());
+  parallel_for(executor, areas.size(), small_items,
+               [&](std::size_t t) { areas[t] = triangle_area(mesh, mesh.triangles[t]); });
+  for (const TriangleId t : duplicates) areas[t] = 0;
+  return areas;
 }
 
 std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> triangle_area) {

@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/grouping.h"
+#include "core/base/buffer.h"
+#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
 
 namespace geolloyd {
@@ -12,16 +13,8 @@ namespace geolloyd {
 double triangle_area(const Mesh& mesh, const Triangle& triangle);
 
 /// Area of each triangle; 0 for `duplicates`, so that they count once.
-template <class Executor>
-Buffer<double> triangle_areas_on(Executor& executor, const Mesh& mesh,
-                                 std::span<const TriangleId> duplicates) {
-  Buffer<double> areas(mesh.triangle_count());
-  for_items(executor, areas.size(), small_items,
-            [&](std::size_t t) { areas[t] = triangle_area(mesh, mesh.triangles[t]); });
-  for (const TriangleId t : duplicates) areas[t] = 0;
-  return areas;
-}
-Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates);
+Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                              Executor& executor = sequential());
 
 /// A third of the area of the triangles around each vertex, added in their order. Sums to the
 /// surface's area.

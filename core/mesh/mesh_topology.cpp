@@ -7,8 +7,6 @@
 namespace geolloyd {
 namespace {
 
-using Sets = DisjointSets<Sequential>;
-
 // The corner of the triangle of `corner` at vertex `v`.
 CornerId corner_at(const Mesh& mesh, CornerId corner, VertexId v) {
   const CornerId first = corner - corner % 3;
@@ -20,8 +18,7 @@ CornerId corner_at(const Mesh& mesh, CornerId corner, VertexId v) {
 
 // Triangles around a vertex, joined across its edges, are one fan where it is manifold.
 std::size_t count_broken_vertices(const Mesh& mesh, const MeshEdges& edges) {
-  Sequential executor;
-  Sets fans(executor, 3 * mesh.triangle_count());
+  DisjointSets fans(3 * mesh.triangle_count());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto corners = edges.corners(e);
     for (const VertexId end : edges.ends[e]) {
@@ -40,14 +37,13 @@ std::size_t count_broken_vertices(const Mesh& mesh, const MeshEdges& edges) {
 }
 
 std::vector<PartTopology> find_parts(const Mesh& mesh, const MeshEdges& edges) {
-  Sequential executor;
-  Sets connected(executor, mesh.vertex_count());
+  DisjointSets connected(mesh.vertex_count());
   for (const auto& [a, b] : edges.ends) connected.unite(a, b);
 
   std::vector<PartTopology> of_root(mesh.vertex_count());
   std::vector<std::uint8_t> is_used(mesh.vertex_count(), 0);
   std::vector<std::uint8_t> is_outer(mesh.vertex_count(), 0);
-  Sets loops(executor, mesh.vertex_count());
+  DisjointSets loops(mesh.vertex_count());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [a, b] = edges.ends[e];
     PartTopology& part = of_root[connected.find(a)];

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/remesh/dual_mesh_on.h"
+#include "core/remesh/surface_scan.h"
 
 namespace geolloyd {
 namespace {
@@ -158,13 +158,8 @@ std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind) {
       obstacles.begin(), obstacles.end(), [kind](const Obstacle& o) { return o.kind == kind; }));
 }
 
-DualMesh make_dual(const RegionSurface& surface) {
-  Sequential executor;
-  return make_dual(surface, scan_surface_on(executor, surface));
-}
-
-DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan) {
-  return Dualising(surface, scan).run();
+DualMesh make_dual(const RegionSurface& surface, Executor& executor) {
+  return Dualising(surface, scan_surface(surface, executor)).run();
 }
 
 }  // namespace geolloyd

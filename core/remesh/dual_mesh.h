@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
 #include "core/remesh/region_surface.h"
 
@@ -40,10 +41,7 @@ struct DualMesh {
 
 std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind);
 
-DualMesh make_dual(const RegionSurface& surface);
-
-struct SurfaceScan;  // dual_mesh_on.h
-DualMesh make_dual(const RegionSurface& surface, const SurfaceScan& scan);
+DualMesh make_dual(const RegionSurface& surface, Executor& executor = sequential());
 
 /// A position for each region's vertex of the dual: `site`, or, in regions that reach the boundary,
 /// the point of the boundary where it turns most, if it turns by more than 30 degrees, else the

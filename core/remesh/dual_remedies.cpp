@@ -45,8 +45,7 @@ class Curves {
   // Calls visit(part, point) for both ends of each piece.
   template <class Visit>
   void for_each_part(Visit&& visit) const {
-    Sequential executor;
-    DisjointSets<Sequential> parts(executor, number_.size());
+    DisjointSets parts(number_.size());
     for (const auto& [a, b] : joints_) parts.unite(number_.at(a), number_.at(b));
     for (const auto& [piece, n] : number_) {
       for (const PointId p : piece) visit(parts.find(n), p);
@@ -193,14 +192,13 @@ class Searching {
     }
     points.close();
     faces.close();
-    Sequential executor;
-    DisjointSets<Sequential> tree(executor, points.size());
+    DisjointSets tree(points.size());
     std::vector<InnerEdge> others;
     for (const InnerEdge& e : edges) {
       if (!tree.unite(points[e.ends[0]], points[e.ends[1]])) others.push_back(e);
     }
     std::reverse(others.begin(), others.end());
-    DisjointSets<Sequential> cotree(executor, faces.size());
+    DisjointSets cotree(faces.size());
     for (const InnerEdge& e : others) {
       if (cotree.unite(faces[e.triangle[0]], faces[e.triangle[1]])) continue;
       PointId remedy = no_id;

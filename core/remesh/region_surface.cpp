@@ -162,8 +162,7 @@ class Spreading {
   // triangle count as held.
   [[nodiscard]] std::vector<std::uint8_t> find_held() const {
     const auto& region = surface_.region;
-    Sequential executor;
-    DisjointSets<Sequential> pieces(executor, region.size());
+    DisjointSets pieces(region.size());
     std::vector<std::uint8_t> is_held(region.size(), 1);
     for (const Triangle& t : surface_.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {

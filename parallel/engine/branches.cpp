@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -120,13 +120,13 @@ void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<
   const auto is_first = [&](std::size_t i) {
     return i == 0 || parts[i].region != parts[i - 1].region;
   };
-  for_items(scheduler, parts.size(), 1,
-            [&](std::size_t i) { forget_branches(nodes_of(members, parts[i]), branch_of); });
+  parallel_for(scheduler, parts.size(), 1,
+               [&](std::size_t i) { forget_branches(nodes_of(members, parts[i]), branch_of); });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_first(i)) mark_branches(graph, partition.key, seeds[parts[i].region], branch_of);
   }
   std::vector<std::vector<BranchSum>> sums(parts.size());
-  for_items(scheduler, parts.size(), 1, [&](std::size_t i) {
+  parallel_for(scheduler, parts.size(), 1, [&](std::size_t i) {
     sums[i].resize(graph.neighbours(seeds[parts[i].region]).size());
     add_to_branches(graph, partition, nodes_of(members, parts[i]), branch_of, sums[i]);
   });
@@ -151,14 +151,15 @@ void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const Nod
   for (const Piece& p : pieces) {
     if (!is_whole(members, p)) parts.push_back(p);
   }
-  for_ranges(scheduler, pieces.size(), grain_of(pieces),
-             [&](std::size_t begin, std::size_t end, std::size_t worker) {
-               for (std::size_t i = begin; i < end; ++i) {
-                 if (!is_whole(members, pieces[i])) continue;
-                 find_branches(graph, partition, seeds[pieces[i].region],
-                               nodes_of(members, pieces[i]), branch_of, of_worker[worker], sums_at);
-               }
-             });
+  parallel_for_ranges(scheduler, pieces.size(), grain_of(pieces),
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          if (!is_whole(members, pieces[i])) continue;
+                          find_branches(graph, partition, seeds[pieces[i].region],
+                                        nodes_of(members, pieces[i]), branch_of, of_worker[worker],
+                                        sums_at);
+                        }
+                      });
   find_branches_of_parts(scheduler, graph, seeds, partition, members, parts, branch_of, sums_at);
 }
 

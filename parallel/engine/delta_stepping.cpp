@@ -4,8 +4,8 @@
 #include <atomic>
 #include <limits>
 
+#include "core/base/loops.h"
 #include "parallel/threads/atomic_key.h"
-#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {
@@ -13,13 +13,13 @@ namespace {
 static_assert(most_arcs <= std::numeric_limits<std::uint64_t>::max() / most_length);
 
 std::uint32_t mean_length(Scheduler& scheduler, const Graph& graph) {
-  const auto total = sum_ranges<std::uint64_t>(scheduler, graph.arc_count(), 1 << 15,
-                                               [&](std::size_t begin, std::size_t end) {
-                                                 std::uint64_t sum = 0;
-                                                 for (std::size_t a = begin; a < end; ++a)
-                                                   sum += graph.length[a];
-                                                 return sum;
-                                               });
+  const auto total = parallel_reduce<std::uint64_t>(scheduler, graph.arc_count(), 1 << 15,
+                                                    [&](std::size_t begin, std::size_t end) {
+                                                      std::uint64_t sum = 0;
+                                                      for (std::size_t a = begin; a < end; ++a)
+                                                        sum += graph.length[a];
+                                                      return sum;
+                                                    });
   return static_cast<std::uint32_t>(total / std::max<std::size_t>(graph.arc_count(), 1));
 }
 
@@ -67,12 +67,12 @@ void DeltaStepping::repair(const Members& members, std::span<const Piece> suspec
     if (before != unreached) set(is_changed[region_of(before)]);
     set(is_changed[region_of(after)]);
   };
-  for_ranges(scheduler_, suspects.size(), grain_of(suspects),
-             [&](std::size_t begin, std::size_t end, std::size_t worker) {
-               for (std::size_t i = begin; i < end; ++i) {
-                 examine_piece(members, suspects[i], keys, buckets_[worker], note_change);
-               }
-             });
+  parallel_for_ranges(scheduler_, suspects.size(), grain_of(suspects),
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          examine_piece(members, suspects[i], keys, buckets_[worker], note_change);
+                        }
+                      });
   settle(keys, note_change);
 }
 
@@ -102,14 +102,14 @@ void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
   constexpr std::size_t few = 1024;  // more than these go back to all threads
   for (std::size_t bucket = take_next_bucket(0); !frontier_.empty();
        bucket = take_next_bucket(bucket)) {
-    for_ranges(scheduler_, frontier_.size(), grain,
-               [&](std::size_t begin, std::size_t end, std::size_t worker) {
-                 Buckets& mine = buckets_[worker];
-                 for (std::size_t i = begin; i < end; ++i) {
-                   relax(frontier_[i], keys, mine, on_lowered);
-                 }
-                 relax_alone(bucket, keys, mine, few, on_lowered);
-               });
+    parallel_for_ranges(scheduler_, frontier_.size(), grain,
+                        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                          Buckets& mine = buckets_[worker];
+                          for (std::size_t i = begin; i < end; ++i) {
+                            relax(frontier_[i], keys, mine, on_lowered);
+                          }
+                          relax_alone(bucket, keys, mine, few, on_lowered);
+                        });
   }
 }
 

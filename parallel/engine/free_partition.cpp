@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/loops.h"
 #include "core/base/stopwatch.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/fingerprint.h"
-#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {
@@ -107,7 +107,7 @@ void FreePartition::search_from_scratch(std::span<const NodeId> seeds) {
 }
 
 void FreePartition::sum_unreached() {
-  digest_of_unreached_ = sum_ranges<std::uint64_t>(
+  digest_of_unreached_ = parallel_reduce<std::uint64_t>(
       scheduler_, graph_.node_count(), 1 << 15, [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
         for (std::size_t v = begin; v < end; ++v) {
@@ -143,7 +143,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
   };
   std::vector<Shift> shift_of(moved.size());
   std::vector<std::uint32_t> place(seeds.size());
-  for_items(scheduler_, moved.size(), 64, [&](std::size_t i) {
+  parallel_for(scheduler_, moved.size(), 64, [&](std::size_t i) {
     const RegionId r = moved[i];
     place[r] = static_cast<std::uint32_t>(i);
     shift_of[i].way = distance_of(partition_.key[seeds[r]]);
@@ -152,7 +152,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
     }
   });
   const std::vector<Piece> pieces = cut_into_pieces(members_, moved);
-  for_items(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
+  parallel_for(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     const Shift& shift = shift_of[place[pieces[i].region]];
     for (const NodeId v : nodes_of(members_, pieces[i])) {
       Key& key = partition_.key[v];

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -24,12 +24,13 @@ void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t r
   const std::size_t blocks = (keys.size() + size - 1) / size;
   // By block and region: first the number of nodes there, then where the next of them goes.
   std::vector<NodeId> slot(blocks * regions, 0);
-  for_ranges(scheduler, keys.size(), size, [&](std::size_t begin, std::size_t end, std::size_t) {
-    NodeId* const count = slot.data() + begin / size * regions;
-    for (std::size_t v = begin; v < end; ++v) {
-      if (keys[v] != unreached) ++count[region_of(keys[v])];
-    }
-  });
+  parallel_for_ranges(scheduler, keys.size(), size,
+                      [&](std::size_t begin, std::size_t end, std::size_t) {
+                        NodeId* const count = slot.data() + begin / size * regions;
+                        for (std::size_t v = begin; v < end; ++v) {
+                          if (keys[v] != unreached) ++count[region_of(keys[v])];
+                        }
+                      });
 
   members.first.resize(regions + 1);
   NodeId total = 0;
@@ -44,12 +45,14 @@ void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t r
   members.first[regions] = total;
 
   members.node.resize(total);
-  for_ranges(scheduler, keys.size(), size, [&](std::size_t begin, std::size_t end, std::size_t) {
-    NodeId* const next = slot.data() + begin / size * regions;
-    for (std::size_t v = begin; v < end; ++v) {
-      if (keys[v] != unreached) members.node[next[region_of(keys[v])]++] = static_cast<NodeId>(v);
-    }
-  });
+  parallel_for_ranges(scheduler, keys.size(), size,
+                      [&](std::size_t begin, std::size_t end, std::size_t) {
+                        NodeId* const next = slot.data() + begin / size * regions;
+                        for (std::size_t v = begin; v < end; ++v) {
+                          if (keys[v] != unreached)
+                            members.node[next[region_of(keys[v])]++] = static_cast<NodeId>(v);
+                        }
+                      });
 }
 
 std::span<const NodeId> nodes_of(const Members& members, const Piece& piece) {

@@ -5,12 +5,12 @@
 #include <optional>
 #include <thread>
 
+#include "core/base/loops.h"
 #include "core/base/stopwatch.h"
 #include "core/lloyd/seed_move.h"
 #include "core/voronoi/fingerprint.h"
 #include "parallel/engine/free_partition.h"
 #include "parallel/engine/region_solver.h"
-#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {
@@ -44,7 +44,7 @@ class ParallelEngine final : public Engine {
     const Timed timed(seconds_.movement);
     const SeedMoveView view{graph_, free_.partition(), free_.sums(), extended};
     candidates_.resize(seeds.size());
-    for_items(scheduler_, changed.size(), 64, [&](std::size_t i) {
+    parallel_for(scheduler_, changed.size(), 64, [&](std::size_t i) {
       candidates_[changed[i]] = greedy_candidate(view, seeds[changed[i]]);
     });
     extended_ = extended;
@@ -71,10 +71,10 @@ class ParallelEngine final : public Engine {
     };
     const std::size_t large = count_large(active);
     for (std::size_t i = 0; i < large; ++i) settle(active[i], &scheduler_, *solvers_.front());
-    for_ranges(scheduler_, active.size() - large, 1,
-               [&](std::size_t i, std::size_t, std::size_t worker) {
-                 settle(active[large + i], nullptr, *solvers_[worker]);
-               });
+    parallel_for_ranges(scheduler_, active.size() - large, 1,
+                        [&](std::size_t i, std::size_t, std::size_t worker) {
+                          settle(active[large + i], nullptr, *solvers_[worker]);
+                        });
     if (trusted && !stopped) free_.moved_to(seeds);
     KernelSeconds of_threads;
     for (const auto& solver : solvers_) of_threads += solver->take_seconds();

@@ -1,9 +1,9 @@
 #include "parallel/engine/region_totals.h"
 
+#include "core/base/loops.h"
 #include "core/base/stopwatch.h"
 #include "core/voronoi/fingerprint.h"
 #include "core/voronoi/forest.h"
-#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {
@@ -37,19 +37,19 @@ void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const M
   std::vector<PieceTotals> of_piece(pieces.size());
   struct alignas(64) WorkerSeconds : KernelSeconds {};
   std::vector<WorkerSeconds> of_worker(scheduler.threads());
-  for_ranges(scheduler, pieces.size(), grain_of(pieces),
-             [&](std::size_t begin, std::size_t end, std::size_t worker) {
-               {
-                 const Timed timed(of_worker[worker].free_search);
-                 for (std::size_t i = begin; i < end; ++i) {
-                   derive_parents_of(graph, nodes_of(members, pieces[i]), partition);
-                 }
-               }
-               const Timed timed(of_worker[worker].scoring);
-               for (std::size_t i = begin; i < end; ++i) {
-                 of_piece[i] = total_of(graph, nodes_of(members, pieces[i]), partition);
-               }
-             });
+  parallel_for_ranges(scheduler, pieces.size(), grain_of(pieces),
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        {
+                          const Timed timed(of_worker[worker].free_search);
+                          for (std::size_t i = begin; i < end; ++i) {
+                            derive_parents_of(graph, nodes_of(members, pieces[i]), partition);
+                          }
+                        }
+                        const Timed timed(of_worker[worker].scoring);
+                        for (std::size_t i = begin; i < end; ++i) {
+                          of_piece[i] = total_of(graph, nodes_of(members, pieces[i]), partition);
+                        }
+                      });
 
   for (const Piece& p : pieces) {
     totals.score[p.region] = 0;

@@ -2,8 +2,8 @@
 
 #include <numeric>
 
+#include "core/base/loops.h"
 #include "core/voronoi/forest.h"
-#include "parallel/threads/primitives.h"
 
 namespace geolloyd {
 namespace {
@@ -30,7 +30,7 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
   const std::uint32_t distance = distance_of(partition.key[source]);
   std::vector<std::uint8_t> below;
   find_branches_below(graph_, partition, stand, branch_of, source, below);
-  for_items(scheduler_, keys_.size(), grain, [&](std::size_t v) {
+  parallel_for(scheduler_, keys_.size(), grain, [&](std::size_t v) {
     keys_[v] = bound_after_move(partition.key[v], branch_of[v], below, distance);
   });
   keys_[source] = make_key(0, 0);
@@ -39,7 +39,7 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
 }
 
 void SharedSearch::derive_parents(Partition& partition) {
-  for_items(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
+  parallel_for(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
     geolloyd::derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]),
                              partition.parent);
   });
@@ -51,14 +51,14 @@ void SharedSearch::find_sums(NodeId stand, const Partition& partition, BranchOf&
 }
 
 Score SharedSearch::score() const {
-  return sum_ranges<Score>(scheduler_, keys_.size(), grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             Score sum = 0;
-                             for (std::size_t v = begin; v < end; ++v) {
-                               sum += node_score(distance_of(keys_[v]), graph_.mass[v]);
-                             }
-                             return sum;
-                           });
+  return parallel_reduce<Score>(scheduler_, keys_.size(), grain,
+                                [&](std::size_t begin, std::size_t end) {
+                                  Score sum = 0;
+                                  for (std::size_t v = begin; v < end; ++v) {
+                                    sum += node_score(distance_of(keys_[v]), graph_.mass[v]);
+                                  }
+                                  return sum;
+                                });
 }
 
 }  // namespace geolloyd

@@ -36,8 +36,8 @@ std::size_t resolve(std::size_t threads) {
 }  // namespace
 
 Scheduler::Scheduler(std::size_t threads, Backend backend)
-    : threads_(resolve(threads)), backend_(backend) {
-  if (backend == Backend::tbb && threads_ > 1) tbb_ = make_tbb_pool(threads_);
+    : Executor(resolve(threads)), backend_(backend) {
+  if (backend == Backend::tbb && this->threads() > 1) tbb_ = make_tbb_pool(this->threads());
 }
 
 void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>& work) {
@@ -50,7 +50,7 @@ void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>&
   if (backend_ == Backend::tbb) {
     run_on_tbb(*tbb_, workers, enter, &job);
   } else {
-    run_on_openmp(threads_, workers, enter, &job);
+    run_on_openmp(threads(), workers, enter, &job);
   }
   while (job.done.load(std::memory_order_acquire) != workers) std::this_thread::yield();
   if (job.error) std::rethrow_exception(job.error);

@@ -4,8 +4,9 @@
 #include <limits>
 
 #include "core/base/errors.h"
-#include "core/graph/graph_on.h"
+#include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/graph/ticks.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "core/voronoi/dijkstra.h"
@@ -28,9 +29,9 @@ TEST(Limits, OfAGraphAreHeldToTheLastNodeAndArc) {
   EXPECT_EQ(most_arcs, 4'294'967'294U);
   EXPECT_NO_THROW(check_node_count(most_nodes));
   EXPECT_THROW(check_node_count(most_nodes + 1), InvalidInput);
-  EXPECT_NO_THROW(check_link_count(most_arcs / 2));
-  EXPECT_THROW(check_link_count(most_arcs / 2 + 1), InvalidInput);
-  EXPECT_THROW(check_link_count(std::numeric_limits<std::uint64_t>::max()), InvalidInput);
+  EXPECT_NO_THROW(check_arc_count(most_arcs / 2));
+  EXPECT_THROW(check_arc_count(most_arcs / 2 + 1), InvalidInput);
+  EXPECT_THROW(check_arc_count(std::numeric_limits<std::uint64_t>::max()), InvalidInput);
 }
 
 // Before memory is taken: at these sizes a test that took it would not come back.
@@ -67,7 +68,7 @@ TEST(TickLength, KeepsTheLongestPathBelowTheLimitHoweverManyArcs) {
 }
 
 TEST(TickLength, IsRefusedWhereLengthsAddUpToNoNumber) {
-  const std::vector<Link> links = {{0, 1, 1e308}, {1, 2, 1e308}};
+  const std::vector<UndirectedArc> links = {{0, 1, 1e308}, {1, 2, 1e308}};
   EXPECT_THROW(make_graph(links, std::vector<double>(3, 1.0)), InvalidInput);
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_THROW(make_graph({}, std::vector<double>{1, infinite}), InvalidInput);
@@ -88,8 +89,8 @@ std::uint32_t farthest_of(const std::vector<Key>& keys) {
 }
 
 // Two arms of as many arcs from node 0, odd nodes on one, even ones on the other.
-std::vector<Link> two_arms(NodeId nodes, const auto& length_of) {
-  std::vector<Link> links;
+std::vector<UndirectedArc> two_arms(NodeId nodes, const auto& length_of) {
+  std::vector<UndirectedArc> links;
   for (NodeId v = 1; v < nodes; ++v) links.push_back({v < 3 ? 0 : v - 2, v, length_of(v)});
   return links;
 }
@@ -129,7 +130,7 @@ TEST(TickLength, IsReachedByAPathOfHundredsOfThousandsOfArcs) {
 
 TEST(TickLength, OfAStarIsForTheLongestTwoOfItsArcs) {
   constexpr NodeId leaves = 1'000'000;
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (NodeId v = 1; v <= leaves; ++v) links.push_back({0, v, v % 2 == 0 ? 0.0 : 8.0});
   const Graph graph = make_graph(links, std::vector<double>(leaves + 1, 1.0));
   EXPECT_EQ(graph.neighbours(0).size(), leaves);

@@ -13,18 +13,18 @@
 #include "bench/support/same_bytes.h"
 #include "core/base/errors.h"
 #include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
 #include "core/lloyd/paired_engine.h"
 #include "core/lloyd/reference_engine.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/remesh/dual_mesh.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
 #include "core/voronoi/check_partition.h"
-#include "parallel/engine/growing_search.h"
-#include "parallel/mesh/dual_mesh.h"
-#include "parallel/mesh/mesh_check.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "parallel/engine/parallel_growing_search.h"
 #include "tests/fuzz/target.h"
 
 namespace geolloyd::fuzz {
@@ -54,16 +54,16 @@ bool same_dual(const DualMesh& a, const DualMesh& b) {
 
 MeshEdges make_edges(const Mesh& mesh, Scheduler& scheduler) {
   MeshEdges edges = find_edges(mesh);
-  require(same_bytes(edges, find_edges(scheduler, mesh)), "twins find the same edges");
+  require(same_bytes(edges, find_edges(mesh, scheduler)), "twins find the same edges");
   const MeshFacts facts = check_mesh(mesh, edges);
-  require(same_bytes(facts, check_mesh(scheduler, mesh, edges)), "twins find the same facts");
+  require(same_bytes(facts, check_mesh(mesh, edges, scheduler)), "twins find the same facts");
   require(std::isfinite(facts.area) && std::isfinite(facts.bounding_diagonal), "facts are numbers");
   return edges;
 }
 
 MeshGraph make_graph(const Soup& soup, const MeshEdges& edges, Scheduler& scheduler) {
   MeshGraph made = make_mesh_graph(soup.mesh, edges, soup.graph);
-  require(same_bytes(made, make_mesh_graph(scheduler, soup.mesh, edges, soup.graph)),
+  require(same_bytes(made, make_mesh_graph(soup.mesh, edges, soup.graph, scheduler)),
           "twins make the same graph");
   return made;
 }
@@ -73,7 +73,7 @@ std::vector<NodeId> make_seeds(const Soup& soup, const Graph& graph, Scheduler& 
   const std::size_t count = std::min(components.size() + soup.seeds, graph.node_count());
   std::vector<NodeId> seeds = choose_seeds(graph, components, soup.init, count, soup.random_seed);
   require(seeds == choose_seeds(graph, components, soup.init, count, soup.random_seed,
-                                *make_growing_search(scheduler, graph)),
+                                *make_parallel_growing_search(scheduler, graph)),
           "both searches choose the same seeds");
   require(std::set(seeds.begin(), seeds.end()).size() == count, "seeds are different");
   return seeds;
@@ -153,7 +153,7 @@ void remesh(const Soup& soup, const MeshEdges& edges, const MeshGraph& made, Eng
             Scheduler& scheduler, const std::vector<NodeId>& seeds) {
   const Dualise dualise_current = [&](std::vector<NodeId> some) {
     DualisedSeeds dualised = dualise(soup.mesh, edges, made, engine.current(), std::move(some));
-    require(same_dual(dualised.dual, make_dual(scheduler, dualised.surface)),
+    require(same_dual(dualised.dual, make_dual(dualised.surface, scheduler)),
             "twins make the same dual");
     return dualised;
   };

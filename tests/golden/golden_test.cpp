@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/text/file_io.h"
-#include "parallel/mesh/mesh_graph.h"
 #include "tools/cli/names.h"
 
 namespace geolloyd {
@@ -98,7 +98,7 @@ TEST_P(GoldenFingerprint, OfAnyThreadsBackendAndFrontier) {
   for (const Backend backend : {Backend::tbb, Backend::openmp}) {
     for (const std::size_t threads : {1U, 2U, 7U}) {
       Scheduler scheduler(threads, backend);
-      const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, graph_options(GetParam()));
+      const MeshGraph made = make_mesh_graph(mesh, edges, graph_options(GetParam()), scheduler);
       for (const Frontier frontier : {Frontier::delta, Frontier::regions}) {
         const auto engine = make_parallel_engine(scheduler, made.graph, frontier);
         EXPECT_EQ(outcome(GetParam(), made.graph, *engine), testing::PrintToString(GetParam()))

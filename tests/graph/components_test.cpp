@@ -9,7 +9,7 @@ namespace {
 
 TEST(Components, AreNumberedByTheirSmallestNode) {
   const Graph graph =
-      make_graph(std::vector<Link>{{0, 3, 1}, {1, 4, 1}}, std::vector<double>(5, 1.0));
+      make_graph(std::vector<UndirectedArc>{{0, 3, 1}, {1, 4, 1}}, std::vector<double>(5, 1.0));
   const Components components = connected_components(graph);
   ASSERT_EQ(components.size(), 3U);
   EXPECT_EQ(components.component_of, (std::vector<std::uint32_t>{0, 1, 2, 0, 1}));

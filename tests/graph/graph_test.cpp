@@ -15,7 +15,7 @@ TEST(Graph, StoresEachLinkAtBothEndsSortedByTarget) {
   //   1       4
   //   |       |
   //   2 --3-- 3
-  const std::vector<Link> links = {{3, 1, 4}, {0, 2, 1}, {1, 0, 2}, {3, 2, 3}};
+  const std::vector<UndirectedArc> links = {{3, 1, 4}, {0, 2, 1}, {1, 0, 2}, {3, 2, 3}};
   const Graph graph = make_graph(links, std::vector<double>{1, 1, 1, 1});
   EXPECT_EQ(graph.first_arc, (std::vector<ArcId>{0, 2, 4, 6, 8}));
   EXPECT_EQ(graph.target, (std::vector<NodeId>{1, 2, 0, 3, 0, 3, 1, 2}));
@@ -27,7 +27,7 @@ TEST(Graph, StoresEachLinkAtBothEndsSortedByTarget) {
 }
 
 TEST(Graph, KeepsTheShortestOfRepeatedLinksAndDropsLoops) {
-  const std::vector<Link> links = {{0, 1, 5}, {1, 0, 3}, {0, 1, 4}, {1, 1, 1}, {2, 1, 1}};
+  const std::vector<UndirectedArc> links = {{0, 1, 5}, {1, 0, 3}, {0, 1, 4}, {1, 1, 1}, {2, 1, 1}};
   const Graph graph = make_graph(links, std::vector<double>{1, 1, 1});
   EXPECT_EQ(graph.target, (std::vector<NodeId>{1, 0, 2, 1}));
   EXPECT_NEAR(graph.length[0] * graph.tick_length, 3, graph.tick_length);
@@ -36,9 +36,10 @@ TEST(Graph, KeepsTheShortestOfRepeatedLinksAndDropsLoops) {
 
 TEST(Graph, GivesALinkWithoutLengthOneTick) {
   const Graph graph =
-      make_graph(std::vector<Link>{{0, 1, 0}, {1, 2, 7}}, std::vector<double>(3, 1.0));
+      make_graph(std::vector<UndirectedArc>{{0, 1, 0}, {1, 2, 7}}, std::vector<double>(3, 1.0));
   EXPECT_EQ(graph.length[0], 1U);
-  const Graph all_zero = make_graph(std::vector<Link>{{0, 1, 0}}, std::vector<double>(2, 1.0));
+  const Graph all_zero =
+      make_graph(std::vector<UndirectedArc>{{0, 1, 0}}, std::vector<double>(2, 1.0));
   EXPECT_EQ(all_zero.length, (std::vector<std::uint32_t>{1, 1}));
 }
 
@@ -53,7 +54,7 @@ TEST(Graph, ScalesTheLargestMassToThirtyTwoBits) {
 
 TEST(Graph, SurvivesTheSmallestAndLargestNumbers) {
   for (const double scale : {1e-300, 1e-160, 1e-30, 1e30, 1e100}) {
-    const Graph graph = make_graph(std::vector<Link>{{0, 1, scale}, {1, 2, 2 * scale}},
+    const Graph graph = make_graph(std::vector<UndirectedArc>{{0, 1, scale}, {1, 2, 2 * scale}},
                                    std::vector<double>{scale, scale, 0});
     EXPECT_GT(graph.length[0], 1000U) << scale;
     EXPECT_GT(graph.mass[0], 1000U) << scale;
@@ -80,7 +81,7 @@ TEST(Graph, KeepsEveryDistanceBelowThirtyBits) {
 TEST(Graph, KeepsALongPathOfTinyLinksBelowThirtyBits) {
   // Lengths of 0 beside one that sets the tick: each costs a whole tick more than it should.
   constexpr NodeId nodes = 100000;
-  std::vector<Link> links = {{0, 1, 1}};
+  std::vector<UndirectedArc> links = {{0, 1, 1}};
   for (NodeId v = 1; v + 1 < nodes; ++v) links.push_back({v, v + 1, 0});
   const Graph graph = make_graph(links, std::vector<double>(nodes, 1.0));
   IndexedHeap heap(nodes);
@@ -93,7 +94,7 @@ TEST(Graph, KeepsALongPathOfTinyLinksBelowThirtyBits) {
 
 TEST(Graph, CutsAnArcThatNoShortestPathCanUse) {
   // A triangle with one side that is absurdly long; the breadth-first tree from 0 does without it.
-  const std::vector<Link> links = {{0, 1, 1}, {0, 2, 1}, {1, 2, 1e30}};
+  const std::vector<UndirectedArc> links = {{0, 1, 1}, {0, 2, 1}, {1, 2, 1e30}};
   const Graph graph = make_graph(links, std::vector<double>(3, 1.0));
   EXPECT_EQ(graph.length[graph.first_arc[2] + 1], 0x40000000U);
   EXPECT_NEAR(graph.length[0], 0x1p29, 200);

@@ -322,7 +322,7 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
 
 // Without masses every state is as good as any other, and there are more than can be met.
 TEST(Relaxation, EndsWhereNothingIsBetter) {
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (NodeId v = 0; v < 60; ++v) {
     for (const NodeId further : {1U, 7U}) links.push_back({v, (v + further) % 60, 1.0});
   }

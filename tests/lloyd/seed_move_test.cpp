@@ -69,8 +69,9 @@ TEST(SeedMove, PreciseCandidateAgreesWithBruteForce) {
 // A star: seed 0 in the middle, arms of different weight.
 class Star : public testing::Test {
  protected:
-  const Graph graph_ = make_graph(std::vector<Link>{{0, 1, 1}, {0, 2, 1}, {2, 3, 1}, {0, 4, 1}},
-                                  std::vector<double>(5, 1.0));
+  const Graph graph_ =
+      make_graph(std::vector<UndirectedArc>{{0, 1, 1}, {0, 2, 1}, {2, 3, 1}, {0, 4, 1}},
+                 std::vector<double>(5, 1.0));
   const Partition partition_ = naive::partition(graph_, {0});
   const SubtreeSums sums_ = naive_sums(graph_, partition_);
   const SeedMoveView view_{graph_, partition_, sums_, false};

@@ -151,7 +151,7 @@ TEST(Agreement, OnOneSeedAllSeedsAndOneNode) {
 TEST(Agreement, OnStarsAndWheels) {
   constexpr NodeId rim = 60;
   for (const bool wheel : {false, true}) {
-    std::vector<Link> links;
+    std::vector<UndirectedArc> links;
     for (NodeId v = 1; v <= rim; ++v) {
       links.push_back({0, v, 10.0 + v % 7});
       if (wheel) links.push_back({v, v % rim + 1, 3.0 + v % 5});
@@ -331,7 +331,7 @@ TEST(Agreement, OnLongWaysAfterAMacrostep) {
     std::uint64_t n = 0;
     const auto draw = [&](std::uint64_t bound) { return random_number(random_seed, n++, bound); };
     const NodeId nodes = 4 + draw(6);
-    std::vector<Link> links;
+    std::vector<UndirectedArc> links;
     for (NodeId v = 1; v < nodes; ++v) {
       links.push_back({v, draw(v), draw(3) == 0 ? 1.0 + draw(9) : 1000.0 + draw(999)});
     }
@@ -363,7 +363,7 @@ TEST(Agreement, OnNoSeedsAndNoNodes) {
 // A node far from all others, so that nearly all buckets are empty; a hub whose neighbours hang
 // from one another; more of them than there are nodes to a piece.
 TEST(Agreement, OnFarNodesAndLargeHubs) {
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   constexpr NodeId rim = 6000;
   for (NodeId v = 1; v <= rim; ++v) {
     links.push_back({0, v, 2.0 * v});

@@ -8,10 +8,10 @@
 
 #include "bench/support/same_bytes.h"
 #include "core/base/errors.h"
+#include "core/graph/mesh_graph.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
-#include "parallel/mesh/mesh_check.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
 #include "tests/support/graph_kinds.h"
 
 namespace geolloyd {
@@ -96,11 +96,11 @@ void expect_twins_agree(const Mesh& mesh) {
   expected.reserve(options.size());
   for (const MeshGraphOptions& o : options) expected.push_back(make_mesh_graph(mesh, edges, o));
   for_teams([&](Scheduler& scheduler) {
-    expect_same(find_edges(scheduler, mesh), edges);
-    expect_same(check_mesh(scheduler, mesh, edges), facts);
+    expect_same(find_edges(mesh, scheduler), edges);
+    expect_same(check_mesh(mesh, edges, scheduler), facts);
     for (std::size_t i = 0; i < options.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "options " << i);
-      expect_same(make_mesh_graph(scheduler, mesh, edges, options[i]), expected[i]);
+      expect_same(make_mesh_graph(mesh, edges, options[i], scheduler), expected[i]);
     }
   });
 }
@@ -175,16 +175,16 @@ TEST(ParallelGraph, OfALargeScatteredMesh) {
   }
   Scheduler scheduler(3);
   const MeshEdges edges = find_edges(mesh);
-  expect_same(find_edges(scheduler, mesh), edges);
+  expect_same(find_edges(mesh, scheduler), edges);
   EXPECT_EQ(edges.duplicates.size(), 4U);
-  expect_same(check_mesh(scheduler, mesh, edges), check_mesh(mesh, edges));
+  expect_same(check_mesh(mesh, edges, scheduler), check_mesh(mesh, edges));
   for (const GraphKind kind : all_kinds) {
     const MeshGraphOptions options{kind, Norm::geodesic, {}};
-    expect_same(make_mesh_graph(scheduler, mesh, edges, options),
+    expect_same(make_mesh_graph(mesh, edges, options, scheduler),
                 make_mesh_graph(mesh, edges, options));
   }
   const MeshGraphOptions options{GraphKind::mixed, Norm::manhattan, swirl(mesh)};
-  expect_same(make_mesh_graph(scheduler, mesh, edges, options),
+  expect_same(make_mesh_graph(mesh, edges, options, scheduler),
               make_mesh_graph(mesh, edges, options));
 }
 
@@ -208,9 +208,9 @@ TEST(ParallelGraph, IsRefusedInTheSameWords) {
     const std::string expected = refusal([&] { make_mesh_graph(mesh, edges, options); });
     EXPECT_NE(expected, "");
     for_teams([&](Scheduler& scheduler) {
-      expect_same(find_edges(scheduler, mesh), edges);
-      expect_same(check_mesh(scheduler, mesh, edges), check_mesh(mesh, edges));
-      EXPECT_EQ(refusal([&] { make_mesh_graph(scheduler, mesh, edges, options); }), expected);
+      expect_same(find_edges(mesh, scheduler), edges);
+      expect_same(check_mesh(mesh, edges, scheduler), check_mesh(mesh, edges));
+      EXPECT_EQ(refusal([&] { make_mesh_graph(mesh, edges, options, scheduler); }), expected);
     });
   }
 }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -38,11 +38,12 @@ TEST_P(SchedulerTest, CallsEachWorkerOnce) {
 TEST_P(SchedulerTest, RangesCoverEverythingOnce) {
   for (const std::size_t count : {0U, 1U, 7U, 64U, 1000U}) {
     std::vector<int> visits(count, 0);
-    for_ranges(scheduler_, count, 7, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-      ASSERT_LT(worker, scheduler_.threads());
-      ASSERT_LE(end - begin, 7U);
-      for (std::size_t i = begin; i < end; ++i) ++visits[i];
-    });
+    parallel_for_ranges(scheduler_, count, 7,
+                        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                          ASSERT_LT(worker, scheduler_.threads());
+                          ASSERT_LE(end - begin, 7U);
+                          for (std::size_t i = begin; i < end; ++i) ++visits[i];
+                        });
     EXPECT_EQ(visits, std::vector<int>(count, 1));
   }
 }
@@ -53,13 +54,13 @@ TEST_P(SchedulerTest, SumsAndScansAreTheSequentialOnes) {
   std::vector<std::uint64_t> expected(values.size());
   std::exclusive_scan(values.begin(), values.end(), expected.begin(), std::uint64_t{0});
   const auto total = std::accumulate(values.begin(), values.end(), std::uint64_t{0});
-  EXPECT_EQ(sum_ranges<std::uint64_t>(scheduler_, values.size(), 100,
-                                      [&](std::size_t begin, std::size_t end) {
-                                        return std::accumulate(
-                                            values.begin() + static_cast<std::ptrdiff_t>(begin),
-                                            values.begin() + static_cast<std::ptrdiff_t>(end),
-                                            std::uint64_t{0});
-                                      }),
+  EXPECT_EQ(parallel_reduce<std::uint64_t>(
+                scheduler_, values.size(), 100,
+                [&](std::size_t begin, std::size_t end) {
+                  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         values.begin() + static_cast<std::ptrdiff_t>(end),
+                                         std::uint64_t{0});
+                }),
             total);
   EXPECT_EQ(exclusive_scan<std::uint64_t>(scheduler_, values), total);
   EXPECT_EQ(values, expected);
@@ -67,14 +68,14 @@ TEST_P(SchedulerTest, SumsAndScansAreTheSequentialOnes) {
 
 TEST_P(SchedulerTest, AnErrorInATaskReachesTheCallerAndTheNextWorkGoesOn) {
   for (int turn = 0; turn < 20; ++turn) {
-    EXPECT_THROW(for_items(scheduler_, 1000, 1,
-                           [](std::size_t i) {
-                             if (i == 500) throw std::runtime_error("in a task");
-                           }),
+    EXPECT_THROW(parallel_for(scheduler_, 1000, 1,
+                              [](std::size_t i) {
+                                if (i == 500) throw std::runtime_error("in a task");
+                              }),
                  std::runtime_error);
     EXPECT_EQ(
-        sum_ranges<std::size_t>(scheduler_, 1000, 10,
-                                [](std::size_t begin, std::size_t end) { return end - begin; }),
+        parallel_reduce<std::size_t>(
+            scheduler_, 1000, 10, [](std::size_t begin, std::size_t end) { return end - begin; }),
         1000U);
   }
 }

@@ -27,7 +27,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 // Two grids side by side, and seeds in both.
 Graph two_grids() {
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (const NodeId first : {0U, 200U}) {
     for (NodeId i = 0; i < 200; ++i) {
       if (i % 20 != 19) links.push_back({first + i, first + i + 1, 1.0});

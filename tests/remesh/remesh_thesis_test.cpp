@@ -10,14 +10,14 @@
 
 #include "core/formats/mesh_io.h"
 #include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/remesh/dual_repair.h"
 #include "core/seeds/seeds.h"
-#include "parallel/engine/growing_search.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "parallel/engine/parallel_growing_search.h"
 #include "tests/support/graph_kinds.h"
 #include "tests/support/sanitizers.h"
 
@@ -68,10 +68,10 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
     GTEST_SKIP() << "set GEOLLOYD_LONG_TESTS to run this";
   const Mesh mesh = read_mesh(folder / name).mesh;
   Scheduler scheduler;
-  const MeshEdges edges = find_edges(scheduler, mesh);
+  const MeshEdges edges = find_edges(mesh, scheduler);
   const MeshTopology wanted = find_topology(mesh, edges);
   for (const GraphKind kind : all_kinds) {
-    const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, {kind, Norm::geodesic, {}});
+    const MeshGraph made = make_mesh_graph(mesh, edges, {kind, Norm::geodesic, {}}, scheduler);
     const auto engine = make_parallel_engine(scheduler, made.graph);
     const std::vector<std::size_t> counts = is_long ? std::vector<std::size_t>{64, 512, 2048, 8192}
                                                     : std::vector<std::size_t>{64, 8192};
@@ -84,7 +84,7 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
       const std::vector<NodeId> seeds =
           relax(made.graph, *engine,
                 choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest,
-                             count, 1, *make_growing_search(scheduler, made.graph)),
+                             count, 1, *make_parallel_growing_search(scheduler, made.graph)),
                 options)
               .seeds;
       const auto dualise_current = [&](std::vector<NodeId> some) {
@@ -96,7 +96,7 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
       EXPECT_EQ(count_broken_vertices(repaired.dual.triangles), wanted.non_manifold_vertices);
       const Mesh remesh{std::vector<Vec3>(repaired.seeds.size(), Vec3::Zero()),
                         repaired.dual.triangles};
-      EXPECT_EQ(find_topology(remesh, find_edges(scheduler, remesh)).parts, wanted.parts);
+      EXPECT_EQ(find_topology(remesh, find_edges(remesh, scheduler)).parts, wanted.parts);
     }
   }
 }

@@ -33,8 +33,8 @@ void expect_agreement(const Graph& graph, const std::vector<NodeId>& seeds,
 constexpr double depth = 1e6;
 
 Graph detour_graph(NodeId tail) {
-  std::vector<Link> links = {{0, 1, depth}, {0, 2, depth - 1},     {0, 3, depth},
-                             {0, 4, depth}, {1, 3, 2 * depth - 3}, {1, 4, 2 * depth - 3}};
+  std::vector<UndirectedArc> links = {{0, 1, depth}, {0, 2, depth - 1},     {0, 3, depth},
+                                      {0, 4, depth}, {1, 3, 2 * depth - 3}, {1, 4, 2 * depth - 3}};
   for (NodeId v = 5; v < 5 + 2 * tail; ++v) links.push_back({v - 2, v, 0});
   return make_graph(links, std::vector<double>(5 + 2 * tail, 1.0));
 }
@@ -85,8 +85,8 @@ TEST(Farthest, NumberOfSeedsIsThatOfTheNodes) {
   expect_agreement(graph, seeds, {});
 }
 
-std::vector<Link> star(NodeId leaves) {
-  std::vector<Link> links;
+std::vector<UndirectedArc> star(NodeId leaves) {
+  std::vector<UndirectedArc> links;
   for (NodeId v = 1; v <= leaves; ++v) links.push_back({0, v, 1.0 + v % 7});
   return links;
 }

@@ -47,7 +47,8 @@ TEST(Seeds, AreTheSameForTheSameRandomSeedOnly) {
 }
 
 TEST(Seeds, OfTooSmallOrTooLargeNumberAreRefusedWithAdvice) {
-  const Graph graph = make_graph(std::vector<Link>{{0, 1, 1}}, std::vector<double>(4, 1.0));
+  const Graph graph =
+      make_graph(std::vector<UndirectedArc>{{0, 1, 1}}, std::vector<double>(4, 1.0));
   const auto message = [&](std::size_t count) {
     try {
       choose(graph, SeedInit::random, count);
@@ -64,7 +65,7 @@ TEST(Seeds, OfTooSmallOrTooLargeNumberAreRefusedWithAdvice) {
 
 TEST(Seeds, AreSharedOutToComponentsByMass) {
   // Two rows of 100 nodes, the second three times as heavy.
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   std::vector<double> masses;
   for (NodeId v = 0; v < 200; ++v) {
     if (v % 100 != 99) links.push_back({v, v + 1, 1});
@@ -100,7 +101,7 @@ TEST(Seeds, RandomOnesAreUniformOverNodesAndRandomAreaOnesByMass) {
   // 10 nodes, of which node 9 has half of the mass.
   std::vector<double> masses(10, 1);
   masses[9] = 9;
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (NodeId v = 1; v < 10; ++v) links.push_back({v - 1, v, 1});
   const Graph graph = make_graph(links, masses);
   int uniform = 0;

@@ -20,7 +20,7 @@ inline Graph random_graph(std::uint64_t random_seed, NodeId node_count) {
   const auto draw = [&](std::uint64_t bound) { return random_number(random_seed, n++, bound); };
   const std::uint32_t link_count = draw(3 * node_count + 1);
   const std::uint32_t lengths = 1 + draw(5);
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (std::uint32_t i = 0; i < link_count; ++i) {
     links.push_back({draw(node_count), draw(node_count), static_cast<double>(draw(lengths + 1))});
   }
@@ -34,7 +34,7 @@ inline Graph random_connected_graph(std::uint64_t random_seed, NodeId node_count
   std::uint64_t n = 0;
   const auto draw = [&](std::uint64_t bound) { return random_number(random_seed, n++, bound); };
   const std::uint32_t lengths = 1 + draw(40);
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (NodeId v = 1; v < node_count; ++v) {
     links.push_back({v, draw(v), static_cast<double>(draw(lengths + 1))});
   }
@@ -60,7 +60,7 @@ inline std::vector<NodeId> random_nodes(std::uint64_t random_seed, NodeId node_c
 
 /// A rows x columns grid of unit arcs and unit masses; node r * columns + c.
 inline Graph grid_graph(NodeId rows, NodeId columns) {
-  std::vector<Link> links;
+  std::vector<UndirectedArc> links;
   for (NodeId r = 0; r < rows; ++r) {
     for (NodeId c = 0; c < columns; ++c) {
       const NodeId v = r * columns + c;

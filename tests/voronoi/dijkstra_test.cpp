@@ -103,7 +103,8 @@ TEST(LockedSearch, AgreesWithBruteForceAfterSeedsMoved) {
 // In a locked region the way may lead back by the seed that made it: longer than any free distance.
 TEST(LockedSearch, HasRoomForWaysLongerThanAnyFreeDistance) {
   const Graph graph = make_graph(
-      std::vector<Link>{{0, 1, 1}, {0, 2, 1}, {0, 3, 1}, {0, 4, 0.95}, {1, 2, 1.9}, {1, 3, 1.9}},
+      std::vector<UndirectedArc>{
+          {0, 1, 1}, {0, 2, 1}, {0, 3, 1}, {0, 4, 0.95}, {1, 2, 1.9}, {1, 3, 1.9}},
       std::vector<double>(5, 1.0));
   Searched result = search_free(graph, {4, 1});
   const std::vector<RegionId> regions = naive::regions_of(result.partition);

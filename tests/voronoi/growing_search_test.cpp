@@ -1,4 +1,4 @@
-#include "parallel/engine/growing_search.h"
+#include "parallel/engine/parallel_growing_search.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(GrowingSearch, InParallelHasTheSameKeysAfterEverySeed) {
     const Graph graph = random_graph(random_seed, 200);
     Scheduler scheduler(1 + random_seed % 3);
     const auto expected = make_growing_search(graph);
-    const auto tested = make_growing_search(scheduler, graph);
+    const auto tested = make_parallel_growing_search(scheduler, graph);
     for (const NodeId seed : random_nodes(random_seed, 200, 40)) {
       const auto nearer = expected->add(seed);
       const auto listed = tested->add(seed);
@@ -37,7 +37,7 @@ TEST(GrowingSearch, InParallelChoosesTheSameSeeds) {
     for (const std::size_t threads : {1U, 2U, 8U}) {
       Scheduler scheduler(threads);
       ASSERT_EQ(choose_seeds(made.graph, components, init, 300, 5,
-                             *make_growing_search(scheduler, made.graph)),
+                             *make_parallel_growing_search(scheduler, made.graph)),
                 expected);
     }
   }

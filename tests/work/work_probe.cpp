@@ -10,12 +10,11 @@
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/lloyd/relaxation.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
-#include "parallel/engine/growing_search.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "parallel/engine/parallel_growing_search.h"
 #include "tests/support/counted_new.h"
 
 #if GEOLLOYD_CALLGRIND
@@ -77,7 +76,7 @@ MeshGraph build_graphs(Scheduler& scheduler) {
     return 0;
   });
   measure("graph/parallel", [&] {
-    made = make_mesh_graph(scheduler, mesh, find_edges(scheduler, mesh), {});
+    made = make_mesh_graph(mesh, find_edges(mesh, scheduler), {}, scheduler);
     return 0;
   });
   return made;
@@ -90,7 +89,7 @@ void choose_farthest(Scheduler& scheduler, const Graph& graph, const Components&
   });
   measure("farthest_seeds/parallel", [&] {
     choose_seeds(graph, components, SeedInit::farthest, many_seeds, 1,
-                 *make_growing_search(scheduler, graph));
+                 *make_parallel_growing_search(scheduler, graph));
     return 0;
   });
 }

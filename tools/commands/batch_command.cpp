@@ -7,10 +7,10 @@
 
 #include "core/base/errors.h"
 #include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_places.h"
 #include "core/seeds/seeds.h"
-#include "parallel/engine/growing_search.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "parallel/engine/parallel_growing_search.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/facts_text.h"
 #include "tools/cli/number_option.h"
@@ -67,16 +67,17 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
                                  const Mesh& mesh, const MeshEdges& edges, Scheduler& scheduler) {
   MeshGraphOptions options;
   options.kind = GraphKind::triangle;
-  const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, options);
+  const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
   const Components components = connected_components(made.graph);
   std::vector<Start> starts;
   for (const std::size_t k : ladder) {
     check_first_seeds(k, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= a.batches; ++batch) {
       Start start{k, batch, {}};
-      for (const NodeId s : choose_seeds(
-               made.graph, components, value_of(seed_init_names, a.relax.init), k,
-               a.relax.random_seed + batch - 1, *make_growing_search(scheduler, made.graph))) {
+      for (const NodeId s :
+           choose_seeds(made.graph, components, value_of(seed_init_names, a.relax.init), k,
+                        a.relax.random_seed + batch - 1,
+                        *make_parallel_growing_search(scheduler, made.graph))) {
         start.places.push_back(made.input_id[s]);
       }
       starts.push_back(std::move(start));
@@ -88,7 +89,7 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
 // Before any work: are there enough vertices everywhere?
 void check_starts(const std::vector<Start>& starts, const Mesh& mesh, const MeshEdges& edges,
                   Scheduler& scheduler) {
-  const MeshGraph made = make_mesh_graph(scheduler, mesh, edges, {});
+  const MeshGraph made = make_mesh_graph(mesh, edges, {}, scheduler);
   for (const Start& start : starts) seeds_at_triangles(mesh, made, start.places);
 }
 

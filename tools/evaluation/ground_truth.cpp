@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/base/executor.h"
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/point_queries.h"
 
@@ -15,7 +15,7 @@ std::vector<RegionId> nearest_seeds(Scheduler& scheduler, const MeshGraph& mesh_
                                     const Partition& partition, std::span<const Vec3> seeds) {
   const NearestSite nearest(seeds);
   std::vector<RegionId> region(mesh_graph.position.size(), no_id);
-  for_items(scheduler, region.size(), small_items, [&](std::size_t v) {
+  parallel_for(scheduler, region.size(), small_items, [&](std::size_t v) {
     const RegionId guess = region_of(partition.key[v]);
     if (guess != no_id) region[v] = nearest.find(mesh_graph.position[v], guess);
   });
@@ -84,7 +84,7 @@ void measure_distances(GroundTruth& truth, Scheduler& scheduler, const Mesh& mes
                        std::span<const Vec3> seeds) {
   const ClosestPoint surface(mesh);
   truth.surface_centroid.resize(seeds.size());
-  for_items(scheduler, seeds.size(), 16, [&](std::size_t r) {
+  parallel_for(scheduler, seeds.size(), 16, [&](std::size_t r) {
     truth.surface_centroid[r] = surface.find(truth.centroid[r]).position;
   });
   const double side = mean_triangle_side(mesh);

@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/mesh/mesh_edges_on.h"
+#include "core/base/loops.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
-#include "parallel/mesh/mesh_check.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/threads/primitives.h"
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/site_energy.h"
 #include "tools/run/stages.h"
@@ -23,8 +22,8 @@ MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& sch
   progress.stage("reading " + file.string());
   mesh.file = file;
   mesh.input = read_within_limits(file);
-  MeshEdges edges = find_edges(scheduler, mesh.input.mesh);
-  mesh.facts = check_mesh(scheduler, mesh.input.mesh, edges);
+  MeshEdges edges = find_edges(mesh.input.mesh, scheduler);
+  mesh.facts = check_mesh(mesh.input.mesh, edges, scheduler);
   mesh.topology = find_topology(mesh.input.mesh, edges);
   return edges;
 }
@@ -38,9 +37,9 @@ void require_area(const MeshFile& mesh) {
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
   const Mesh& mesh = likeness.original.input.mesh;
-  const Buffer<double> areas = triangle_areas_on(scheduler, mesh, edges.duplicates);
+  const Buffer<double> areas = triangle_areas(mesh, edges.duplicates, scheduler);
   const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
-  const std::vector<Vec3> sites = referenced_positions(scheduler, remesh);
+  const std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
   const double area = likeness.original.facts.area;
   likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/executor.h"
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 #include "tools/evaluation/point_queries.h"
 
 namespace geolloyd {
@@ -14,17 +14,17 @@ double site_energy(Scheduler& scheduler, std::span<const Vec3> points, std::span
                    std::span<const Vec3> sites) {
   const NearestSite nearest(sites);
   std::vector<double> of_range(points.size() / small_items + 1, 0);
-  for_ranges(scheduler, points.size(), small_items,
-             [&](std::size_t begin, std::size_t end, std::size_t) {
-               double energy = 0;
-               std::uint32_t site = 0;
-               for (std::size_t v = begin; v < end; ++v) {
-                 site = nearest.find(points[v], site);
-                 const Vec3 away = points[v] - sites[site];
-                 energy += mass[v] * dot(away, away);
-               }
-               of_range[begin / small_items] = energy;
-             });
+  parallel_for_ranges(scheduler, points.size(), small_items,
+                      [&](std::size_t begin, std::size_t end, std::size_t) {
+                        double energy = 0;
+                        std::uint32_t site = 0;
+                        for (std::size_t v = begin; v < end; ++v) {
+                          site = nearest.find(points[v], site);
+                          const Vec3 away = points[v] - sites[site];
+                          energy += mass[v] * dot(away, away);
+                        }
+                        of_range[begin / small_items] = energy;
+                      });
   return std::accumulate(of_range.begin(), of_range.end(), 0.0);
 }
 

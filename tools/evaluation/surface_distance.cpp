@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/executor.h"
-#include "core/mesh/mesh_edges_on.h"
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
+#include "core/mesh/mesh_edges.h"
 #include "tools/evaluation/point_queries.h"
 #include "tools/evaluation/surface_samples.h"
 
@@ -37,30 +37,30 @@ struct Sums {
 Sums sum_over_samples(Scheduler& scheduler, const SurfaceSamples& samples,
                       const ClosestPoint& closest) {
   std::vector<Sums> of_range(samples.size() / small_items + 1);
-  for_ranges(scheduler, samples.size(), small_items,
-             [&](std::size_t begin, std::size_t end, std::size_t) {
-               Sums sums;
-               for (std::size_t i = begin; i < end; ++i) {
-                 sums.add(closest.find(samples.at(i)).distance);
-               }
-               of_range[begin / small_items] = sums;
-             });
+  parallel_for_ranges(scheduler, samples.size(), small_items,
+                      [&](std::size_t begin, std::size_t end, std::size_t) {
+                        Sums sums;
+                        for (std::size_t i = begin; i < end; ++i) {
+                          sums.add(closest.find(samples.at(i)).distance);
+                        }
+                        of_range[begin / small_items] = sums;
+                      });
   Sums total;
   for (const Sums& sums : of_range) total.add(sums);
   return total;
 }
 
 double largest_of_vertices(Scheduler& scheduler, const Mesh& mesh, const ClosestPoint& closest) {
-  const std::vector<std::uint8_t> referenced = referenced_vertices(scheduler, mesh);
+  const std::vector<std::uint8_t> referenced = referenced_vertices(mesh, scheduler);
   std::vector<double> of_worker(scheduler.threads(), 0);
-  for_ranges(scheduler, mesh.vertex_count(), small_items,
-             [&](std::size_t begin, std::size_t end, std::size_t worker) {
-               double& largest = of_worker[worker];
-               for (std::size_t v = begin; v < end; ++v) {
-                 if (referenced[v] == 0) continue;
-                 largest = std::max(largest, closest.find(mesh.positions[v]).distance);
-               }
-             });
+  parallel_for_ranges(scheduler, mesh.vertex_count(), small_items,
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        double& largest = of_worker[worker];
+                        for (std::size_t v = begin; v < end; ++v) {
+                          if (referenced[v] == 0) continue;
+                          largest = std::max(largest, closest.find(mesh.positions[v]).distance);
+                        }
+                      });
   return *std::max_element(of_worker.begin(), of_worker.end());
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 #include "tools/render/labels.h"
 #include "tools/render/scene.h"
 
@@ -32,7 +32,7 @@ Colour blend(const Colour& under, const Colour& over, double part);
 template <class ColourOf>
 Canvas paint(const Scene& scene, Scheduler& scheduler, ColourOf&& colour_of) {
   Canvas canvas(scene.hit.size());
-  for_items(scheduler, canvas.size(), small_items, [&](std::size_t i) {
+  parallel_for(scheduler, canvas.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle == no_id) return;
     canvas[i] = blend({0, 0, 0}, colour_of(i), scene.light[i]);
   });

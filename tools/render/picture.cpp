@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/base/errors.h"
-#include "core/mesh/mesh_edges_on.h"
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
+#include "core/mesh/mesh_edges.h"
 #include "tools/render/painters.h"
 #include "tools/render/sheet.h"
 
@@ -56,7 +56,7 @@ Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) 
 Picture::Picture(const Mesh& mesh, const RelaxArguments& arguments, std::size_t panels,
                  bool has_captions, Scheduler& scheduler) {
   const Outline outline =
-      outline_of(referenced_positions(scheduler, mesh), parse_view(arguments.view));
+      outline_of(referenced_positions(mesh, scheduler), parse_view(arguments.view));
   layout_ = arrange(panels, has_captions, parse_size(arguments.size), aspect_of(outline));
   scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, scheduler);
 }
@@ -79,7 +79,7 @@ void Picture::write(const std::filesystem::path& path, std::span<const PanelImag
 
 std::size_t count_samples(const Mesh& mesh, const RelaxArguments& arguments, Scheduler& scheduler) {
   const Outline outline =
-      outline_of(referenced_positions(scheduler, mesh), parse_view(arguments.view));
+      outline_of(referenced_positions(mesh, scheduler), parse_view(arguments.view));
   return SampleGrid{arrange(1, false, parse_size(arguments.size), aspect_of(outline)).panel}
       .count();
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -21,8 +21,8 @@ static_assert(tile * tile == static_cast<int>(RayCaster::packet));
 
 Mesh seen_by(const Camera& camera, const Mesh& mesh, Scheduler& scheduler) {
   Mesh seen = mesh;
-  for_items(scheduler, seen.vertex_count(), small_items,
-            [&](std::size_t v) { seen.positions[v] = camera(seen.positions[v]); });
+  parallel_for(scheduler, seen.vertex_count(), small_items,
+               [&](std::size_t v) { seen.positions[v] = camera(seen.positions[v]); });
   return seen;
 }
 
@@ -53,7 +53,7 @@ void cast_all(Scene& scene, Scheduler& scheduler) {
   const RayCaster caster(scene.mesh);
   scene.hit.resize(scene.grid.count());
   const int tile_rows = (scene.grid.rows() + tile - 1) / tile;
-  for_items(scheduler, static_cast<std::size_t>(tile_rows), 1, [&](std::size_t r) {
+  parallel_for(scheduler, static_cast<std::size_t>(tile_rows), 1, [&](std::size_t r) {
     for (int column = 0; column < scene.grid.columns(); column += tile) {
       cast_tile(caster, column, static_cast<int>(r) * tile, scene);
     }
@@ -65,12 +65,12 @@ class Normals {
  public:
   Normals(const Mesh& mesh, Shading shading, Scheduler& scheduler) : mesh_(mesh) {
     of_triangle_.resize(mesh.triangle_count());
-    for_items(scheduler, mesh.triangle_count(), small_items,
-              [&](std::size_t t) { of_triangle_[t] = normal_of(mesh, mesh.triangles[t]); });
+    parallel_for(scheduler, mesh.triangle_count(), small_items,
+                 [&](std::size_t t) { of_triangle_[t] = normal_of(mesh, mesh.triangles[t]); });
     if (shading == Shading::smooth) add_vertices();
     for (std::vector<Vec3>* normals : {&of_triangle_, &of_vertex_}) {
-      for_items(scheduler, normals->size(), small_items,
-                [&](std::size_t i) { (*normals)[i] = normalized((*normals)[i]); });
+      parallel_for(scheduler, normals->size(), small_items,
+                   [&](std::size_t i) { (*normals)[i] = normalized((*normals)[i]); });
     }
   }
 
@@ -110,7 +110,7 @@ float light_on(Vec3 normal) {
 void light_all(Scene& scene, Shading shading, Scheduler& scheduler) {
   const Normals normals(scene.mesh, shading, scheduler);
   scene.light.resize(scene.hit.size());
-  for_items(scheduler, scene.hit.size(), small_items, [&](std::size_t i) {
+  parallel_for(scheduler, scene.hit.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle != no_id) scene.light[i] = light_on(normals.at(scene.hit[i]));
   });
 }

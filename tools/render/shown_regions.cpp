@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -56,13 +56,14 @@ Places find_places(const Scene& scene, const MeshGraph& mesh_graph, Scheduler& s
   Places places;
   places.vertex.resize(mesh.vertex_count());
   if (has_vertices(mesh_graph.kind)) {
-    for_items(scheduler, mesh.vertex_count(), small_items,
-              [&](std::size_t v) { places.vertex[v] = nearest(v); });
+    parallel_for(scheduler, mesh.vertex_count(), small_items,
+                 [&](std::size_t v) { places.vertex[v] = nearest(v); });
   }
   if (!has_triangles(mesh_graph.kind)) return places;
   places.triangle.resize(mesh.triangle_count());
-  for_items(scheduler, mesh.triangle_count(), small_items,
-            [&](std::size_t t) { places.triangle[t] = nearest(mesh_graph.first_triangle_id + t); });
+  parallel_for(scheduler, mesh.triangle_count(), small_items, [&](std::size_t t) {
+    places.triangle[t] = nearest(mesh_graph.first_triangle_id + t);
+  });
   if (has_vertices(mesh_graph.kind)) return places;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Nearest& own = places.triangle[t];
@@ -120,7 +121,7 @@ template <class DistanceOf>
 std::vector<RegionId> show(const Scene& scene, const Places& places, Scheduler& scheduler,
                            DistanceOf&& distance_of) {
   std::vector<RegionId> shown(scene.hit.size(), no_id);
-  for_items(scheduler, shown.size(), small_items, [&](std::size_t i) {
+  parallel_for(scheduler, shown.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle == no_id) return;
     shown[i] = places.only_region(scene.mesh, scene.hit[i].triangle);
     if (shown[i] != no_id) return;

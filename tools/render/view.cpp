@@ -86,9 +86,7 @@ Size parse_size(const std::string& text) {
 
 Outline outline_of(std::span<const Vec3> points, const View& view) {
   const Axes axes = axes_of(bounding_box(points), view);
-  Sequential one;
-  return {axes,
-          bounding_box_on(one, points.size(), [&](std::size_t i) { return axes(points[i]); })};
+  return {axes, bounding_box(points.size(), [&](std::size_t i) { return axes(points[i]); })};
 }
 
 double aspect_of(const Outline& outline) {

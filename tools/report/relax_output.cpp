@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "parallel/threads/primitives.h"
+#include "core/base/loops.h"
 #include "tools/files/output_folder.h"
 #include "tools/files/rows.h"
 #include "tools/render/frames.h"
@@ -78,7 +78,7 @@ FileGroup open_results(const RelaxArguments& arguments) {
 void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler) {
   const std::span<const Label> labels = run.labels;
   const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
-  run_each(
+  parallel_invoke(
       scheduler,
       [&] {
         write_labelled_ply(files[tessellation_place], run.input.mesh, labels.first(vertices),

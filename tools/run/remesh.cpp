@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/loops.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/remesh/dual_mesh.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
-#include "parallel/mesh/dual_mesh.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/threads/primitives.h"
 #include "tools/cli/facts_text.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/system/interrupt.h"
@@ -99,17 +99,17 @@ std::vector<Vec3> find_sites(const RemeshInput& input, const std::vector<NodeId>
 }  // namespace
 
 Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Scheduler& scheduler) {
-  const MeshEdges edges = find_edges(scheduler, input.mesh);
+  const MeshEdges edges = find_edges(input.mesh, scheduler);
   const auto dualise_current = [&](std::vector<NodeId> seeds) {
     DualisedSeeds dualised{std::move(seeds), {}, {}};
     dualised.surface = spread_regions(input.mesh, edges, input.mesh_graph, input.engine.current(),
                                       dualised.seeds.size());
-    dualised.dual = make_dual(scheduler, dualised.surface);
+    dualised.dual = make_dual(dualised.surface, scheduler);
     return dualised;
   };
   DualisedSeeds dualised = dualise_current(input.seeds);
   Remesh remesh;
-  run_each(
+  parallel_invoke(
       scheduler, [&] { remesh.input_topology = find_topology(input.mesh, edges); },
       [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });
   remesh.obstacles_found = dualised.dual.obstacles;
@@ -129,7 +129,7 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   remesh.flipped =
       count_flipped(input.mesh, dualised.surface, dualised.dual, remesh.mesh.positions);
   remesh.mesh.triangles = std::move(dualised.dual.triangles);
-  remesh.topology = find_topology(remesh.mesh, find_edges(scheduler, remesh.mesh));
+  remesh.topology = find_topology(remesh.mesh, find_edges(remesh.mesh, scheduler));
   remesh.flaw = find_flaw(remesh, options.manifold);
   return remesh;
 }

@@ -6,14 +6,14 @@
 #include "core/base/stopwatch.h"
 #include "core/formats/tangent_field_file.h"
 #include "core/graph/components.h"
-#include "core/graph/graph_on.h"
+#include "core/graph/graph.h"
+#include "core/graph/mesh_graph.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/seeds/seed_file.h"
 #include "core/seeds/seeds.h"
 #include "core/text/file_io.h"
-#include "parallel/engine/growing_search.h"
-#include "parallel/mesh/mesh_check.h"
-#include "parallel/mesh/mesh_edges.h"
-#include "parallel/mesh/mesh_graph.h"
+#include "parallel/engine/parallel_growing_search.h"
 #include "tools/cli/names.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
@@ -47,8 +47,8 @@ std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, std:
   size.nodes =
       (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
   size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_links(mesh, edges, kind);
-  check_link_count(size.links);
+  size.links = count_arcs(mesh, edges, kind);
+  check_arc_count(size.links);
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !a.vfield.empty();
@@ -65,9 +65,9 @@ MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
   const Stopwatch watch;
   run.input = read_within_limits(run.arguments.mesh);
   const Stopwatch finding;
-  MeshEdges edges = find_edges(scheduler, run.input.mesh);
+  MeshEdges edges = find_edges(run.input.mesh, scheduler);
   run.seconds.graph = finding.seconds();
-  run.facts = check_mesh(scheduler, run.input.mesh, edges);
+  run.facts = check_mesh(run.input.mesh, edges, scheduler);
   run.seconds.load = watch.seconds() - run.seconds.graph;
   return edges;
 }
@@ -81,7 +81,7 @@ void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges, s
   if (!a.vfield.empty()) {
     options.vertex_space = read_tangent_field(a.vfield, run.input.mesh.vertex_count());
   }
-  run.mesh_graph = make_mesh_graph(scheduler, run.input.mesh, edges, options);
+  run.mesh_graph = make_mesh_graph(run.input.mesh, edges, options, scheduler);
   run.seconds.graph += watch.seconds();
 }
 
@@ -97,7 +97,7 @@ std::vector<NodeId> first_seeds(RunRecord& run, const std::string& text, Schedul
   std::vector<NodeId> seeds =
       a.seeds_file.empty()
           ? choose_seeds(graph, components, value_of(seed_init_names, a.init), a.seeds,
-                         a.random_seed, *make_growing_search(scheduler, graph))
+                         a.random_seed, *make_parallel_growing_search(scheduler, graph))
           : parse_seeds(text, a.seeds_file.string(), run.mesh_graph, components);
   run.seconds.seeds = watch.seconds();
   return seeds;

@@ -25,7 +25,7 @@ constexpr Bytes edge_bytes(Bytes edges, Bytes triangles) {
 }
 
 // Corners by vertex, eight bytes each, and as many counts per vertex as there are parts
-// (group_items).
+// (bucket_sort).
 constexpr Bytes finding_edges(Bytes vertices, Bytes triangles) {
   return 24 * triangles + 20 * vertices;
 }

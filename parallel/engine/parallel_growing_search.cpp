@@ -1,4 +1,4 @@
-#include "parallel/engine/growing_search.h"
+#include "parallel/engine/parallel_growing_search.h"
 
 #include "parallel/engine/delta_stepping.h"
 
@@ -27,7 +27,8 @@ class DeltaSearch final : public GrowingSearch {
 
 }  // namespace
 
-std::unique_ptr<GrowingSearch> make_growing_search(Scheduler& scheduler, const Graph& graph) {
+std::unique_ptr<GrowingSearch> make_parallel_growing_search(Scheduler& scheduler,
+                                                            const Graph& graph) {
   return std::make_unique<DeltaSearch>(scheduler, graph);
 }
 

@@ -1,0 +1,192 @@
+#include "core/graph/mesh_arcs.h"
+
+#include <span>
+#include <vector>
+
+#include "core/base/bucketing.h"
+#include "core/base/loops.h"
+#include "core/base/packing.h"
+
+namespace geolloyd {
+namespace {
+
+// An end of an arc that is measured.
+struct ArcEnd {
+  NodeId node;
+  Vec3 position;
+  const TangentSpace* space;  // null in the isotropic metric
+};
+
+// Length of a way from a to b whose isotropic length is known: its displacement is taken as the
+// chord's direction with that length. A way between two places that coincide in space (a closed
+// fold) has no direction, and keeps its isotropic length.
+double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic, Norm norm_kind) {
+  const bool in_field = a.space != nullptr && b.space != nullptr;
+  if (!in_field && norm_kind == Norm::geodesic) return isotropic;
+  const Vec3 chord = b.position - a.position;
+  const double chord_length = norm(chord);
+  if (chord_length == 0) return isotropic;
+  const Vec3 displacement = chord * (isotropic / chord_length);
+  return in_field ? measure(displacement, average(*a.space, *b.space), norm_kind)
+                  : measure(displacement, norm_kind);
+}
+
+double straight_length(const ArcEnd& a, const ArcEnd& b, Norm norm_kind) {
+  return length_in_metric(a, b, norm(b.position - a.position), norm_kind);
+}
+
+// Pairs of `count` things.
+std::uint64_t pairs(std::uint64_t count) {
+  return count * (count - 1) / 2;
+}
+
+class ArcBuilder {
+ public:
+  ArcBuilder(Executor& executor, const Mesh& mesh, const MeshEdges& edges,
+             const MeshGraphOptions& options, const MeshGraph& target)
+      : executor_(executor), mesh_(mesh), edges_(edges), options_(options), target_(target) {
+    if (has_triangles(options.kind) && !options.vertex_space.empty()) {
+      triangle_space_.resize(mesh.triangle_count());
+      parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
+        triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space);
+      });
+    }
+  }
+
+  // Many triangles at one edge or vertex make arcs by the square of their number: the arcs are
+  // counted before any memory is taken.
+  Buffer<UndirectedArc> build() {
+    const GraphKind kind = options_.kind;
+    if (kind == GraphKind::triangle_dense) find_fans();
+    const Packing along(executor_, has_vertices(kind) ? edges_.size() : 0,
+                        [](std::size_t) { return std::uint64_t{1}; });
+    const Packing across(executor_, kind != GraphKind::vertex ? edges_.size() : 0,
+                         [this](std::size_t e) { return pairs(edges_.corners(e).size()); });
+    const Packing fans(executor_, fans_.size(),
+                       [this](std::size_t v) { return pairs(fans_[v].size()); });
+    const Packing spokes(executor_, kind == GraphKind::mixed ? mesh_.triangle_count() : 0,
+                         [this](std::size_t t) {
+                           return std::uint64_t{has_three_vertices(mesh_.triangles[t]) ? 3U : 0U};
+                         });
+    check_arc_count(along.total() + across.total() + fans.total() + spokes.total());
+
+    Buffer<UndirectedArc> arcs(along.total() + across.total() + fans.total() + spokes.total());
+    UndirectedArc* first = arcs.data();
+    along.for_each(executor_, [&](std::size_t e, std::uint64_t i) { put_along(e, first + i); });
+    first += along.total();
+    across.for_each(executor_, [&](std::size_t e, std::uint64_t i) { put_across(e, first + i); });
+    first += across.total();
+    fans.for_each(executor_, [&](std::size_t v, std::uint64_t i) { put_fan(v, first + i); });
+    first += fans.total();
+    spokes.for_each(executor_, [&](std::size_t t, std::uint64_t i) { put_spokes(t, first + i); });
+    return arcs;
+  }
+
+ private:
+  // In the graphs of triangles a vertex has a place but no node.
+  [[nodiscard]] ArcEnd vertex(VertexId v) const {
+    return {has_vertices(options_.kind) ? target_.node_of[v] : no_id, mesh_.positions[v],
+            options_.vertex_space.empty() ? nullptr : &options_.vertex_space[v]};
+  }
+
+  [[nodiscard]] NodeId triangle_node(TriangleId t) const {
+    return target_.node_of[target_.first_triangle_id + t];
+  }
+
+  [[nodiscard]] ArcEnd triangle(TriangleId t) const {
+    const NodeId node = triangle_node(t);
+    return {node, target_.position[node], triangle_space_.empty() ? nullptr : &triangle_space_[t]};
+  }
+
+  void put_along(std::size_t edge, UndirectedArc* arc) const {
+    const ArcEnd a = vertex(edges_.ends[edge][0]);
+    const ArcEnd b = vertex(edges_.ends[edge][1]);
+    *arc = {a.node, b.node, straight_length(a, b, options_.norm)};
+  }
+
+  // The other end of a way across the edge opposite to a corner.
+  [[nodiscard]] ArcEnd beyond(CornerId corner) const {
+    return options_.kind == GraphKind::vertex_dense ? vertex(apex(mesh_, corner))
+                                                    : triangle(triangle_of(corner));
+  }
+
+  void put_across(std::size_t edge, UndirectedArc* arc) const {
+    const auto corners = edges_.corners(edge);
+    const Vec3& e0 = mesh_.positions[edges_.ends[edge][0]];
+    const Vec3& e1 = mesh_.positions[edges_.ends[edge][1]];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const ArcEnd a = beyond(corners[i]);
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        const ArcEnd b = beyond(corners[j]);
+        const double isotropic = unfolded_distance(a.position, b.position, e0, e1);
+        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, options_.norm)};
+      }
+    }
+  }
+
+  [[nodiscard]] double leg(CornerId corner) const {
+    return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)),
+                           options_.norm);
+  }
+
+  void find_fans() {
+    fans_ = bucket_sort<CornerId>(
+        executor_, mesh_.vertex_count(), mesh_.triangle_count(), [this](std::size_t t, auto&& put) {
+          for_each_corner(mesh_, t, [&](CornerId corner) { put(apex(mesh_, corner), corner); });
+        });
+    legs_ = Buffer<double>(fans_.entry.size());
+  }
+
+  // All triangles at a vertex to each other, by way of it.
+  void put_fan(std::size_t v, UndirectedArc* arc) {
+    const std::span<const CornerId> fan = fans_[v];
+    double* legs = legs_.data() + (fan.data() - fans_.entry.data());
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      legs[i] = leg(fan[i]);
+      const NodeId node = triangle_node(triangle_of(fan[i]));
+      for (std::size_t j = 0; j < i; ++j) {
+        *arc++ = {triangle_node(triangle_of(fan[j])), node, legs[j] + legs[i]};
+      }
+    }
+  }
+
+  void put_spokes(std::size_t t, UndirectedArc* arc) const {
+    for_each_corner(mesh_, t, [&](CornerId corner) {
+      *arc++ = {triangle_node(triangle_of(corner)), target_.node_of[apex(mesh_, corner)],
+                leg(corner)};
+    });
+  }
+
+  Executor& executor_;
+  const Mesh& mesh_;
+  const MeshEdges& edges_;
+  const MeshGraphOptions& options_;
+  const MeshGraph& target_;
+  std::vector<TangentSpace> triangle_space_;
+  Bucketed<CornerId> fans_;  // corners at each vertex
+  Buffer<double> legs_;      // of each of these
+};
+
+}  // namespace
+
+std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind) {
+  std::uint64_t arcs = has_vertices(kind) ? edges.size() : 0;
+  for (std::size_t e = 0; kind != GraphKind::vertex && e < edges.size(); ++e) {
+    arcs += pairs(edges.corners(e).size());
+  }
+  if (kind == GraphKind::mixed) arcs += edges.corner.size();
+  if (kind == GraphKind::triangle_dense) {
+    std::vector<std::uint32_t> fan(mesh.vertex_count(), 0);
+    for (const CornerId corner : edges.corner) ++fan[apex(mesh, corner)];
+    for (const std::uint32_t triangles : fan) arcs += pairs(triangles);
+  }
+  return arcs;
+}
+
+Buffer<UndirectedArc> find_arcs(const Mesh& mesh, const MeshEdges& edges,
+                                const MeshGraphOptions& options, const MeshGraph& numbered,
+                                Executor& executor) {
+  return ArcBuilder(executor, mesh, edges, options, numbered).build();
+}
+
+}  // namespace geolloyd
