@@ -12,7 +12,7 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/voronoi/dijkstra.h"
 #include "parallel/engine/delta_stepping.h"
-#include "parallel/engine/free_partition.h"
+#include "parallel/engine/incremental_partition.h"
 
 namespace geolloyd {
 namespace {
@@ -69,7 +69,7 @@ void partition_by_reference(Run& run) {
   run.rate_of_graph(graph);
 }
 
-bool is_solved(const FreePartition& free, const Solved& expected) {
+bool is_solved(const IncrementalPartition& free, const Solved& expected) {
   return are_equal(free.partition(), expected.partition) && free.totals().score == expected.score;
 }
 
@@ -78,7 +78,7 @@ void partition_from_scratch(Run& run, Frontier frontier) {
   const Solved& expected = run.inputs().solved(run.seeds());
   Scheduler scheduler(run.threads());
   KernelSeconds seconds;
-  FreePartition free(scheduler, graph, frontier, seconds);
+  IncrementalPartition free(scheduler, graph, frontier, seconds);
   const auto work = [&] { free.update(expected.seeds); };
   run.verify("not the partition of the reference", [&] {
     work();
@@ -102,7 +102,7 @@ void repair(Run& run, Frontier frontier) {
   const Solved* to = &run.inputs().moved(run.seeds());
   Scheduler scheduler(run.threads());
   KernelSeconds seconds;
-  FreePartition free(scheduler, graph, frontier, seconds);
+  IncrementalPartition free(scheduler, graph, frontier, seconds);
   free.update(from->seeds);
   const auto find_sums = [&] { free.update_sums(); };
   const auto move = [&] {

@@ -7,7 +7,7 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/voronoi/fingerprint.h"
 #include "core/voronoi/forest.h"
-#include "parallel/engine/free_partition.h"
+#include "parallel/engine/incremental_partition.h"
 
 namespace geolloyd {
 namespace {
@@ -63,7 +63,7 @@ void sum_in_parallel(Run& run) {
   const Solved& solved = run.inputs().solved(run.seeds());
   Scheduler scheduler(run.threads());
   KernelSeconds seconds;
-  FreePartition free(scheduler, graph, Frontier::delta, seconds);
+  IncrementalPartition free(scheduler, graph, Frontier::delta, seconds);
   free.update(solved.seeds);
   const auto work = [&] { free.update_sums(); };
   run.verify("not the sums of the sequential twin", [&] {
@@ -123,8 +123,8 @@ void find_totals_in_parallel(Run& run) {
   const Solved& solved = run.inputs().solved(run.seeds());
   const std::size_t regions = solved.seeds.size();
   Scheduler scheduler(run.threads());
-  Members members;
-  find_members(scheduler, solved.partition.key, regions, members);
+  RegionNodes members;
+  find_region_nodes(scheduler, solved.partition.key, regions, members);
   std::vector<RegionId> all(regions);
   std::iota(all.begin(), all.end(), RegionId{0});
   const std::vector<Piece> pieces = cut_into_pieces(members, all);

@@ -60,7 +60,7 @@ void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys
   settle(keys, [](Buckets&, NodeId, Key, Key) {});
 }
 
-void DeltaStepping::repair(const Members& members, std::span<const Piece> suspects,
+void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
                            std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
   begin();
   const auto note_change = [&](Buckets&, NodeId, Key before, Key after) {
@@ -70,7 +70,8 @@ void DeltaStepping::repair(const Members& members, std::span<const Piece> suspec
   parallel_for_ranges(scheduler_, suspects.size(), grain_of(suspects),
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         for (std::size_t i = begin; i < end; ++i) {
-                          examine_piece(members, suspects[i], keys, buckets_[worker], note_change);
+                          examine_piece(region_nodes, suspects[i], keys, buckets_[worker],
+                                        note_change);
                         }
                       });
   settle(keys, note_change);
@@ -142,10 +143,10 @@ void DeltaStepping::relax(const Entry& entry, std::vector<Key>& keys, Buckets& m
 // Around a region that is one piece, all that follows is done at once, while it is in the cache; of
 // larger ones it is left to all threads.
 template <class OnLowered>
-void DeltaStepping::examine_piece(const Members& members, const Piece& piece,
+void DeltaStepping::examine_piece(const RegionNodes& region_nodes, const Piece& piece,
                                   std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered) {
-  for (const NodeId v : nodes_of(members, piece)) examine(v, keys, mine, on_lowered);
-  if (!is_whole(members, piece)) return;
+  for (const NodeId v : nodes_of(region_nodes, piece)) examine(v, keys, mine, on_lowered);
+  if (!is_whole(region_nodes, piece)) return;
   for (std::size_t bucket = mine.first; bucket < mine.end; ++bucket) {
     relax_alone(bucket, keys, mine, no_id, on_lowered);
   }

@@ -7,7 +7,7 @@
 
 #include "core/graph/graph.h"
 #include "core/voronoi/partition.h"
-#include "parallel/engine/members.h"
+#include "parallel/engine/region_nodes.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -29,8 +29,8 @@ class DeltaStepping {
   /// lowered by no arc but those at nodes of the `suspects`. Regions may also be locked ones, of a
   /// graph that has no arcs between them.
   /// Sets `is_changed` of each region that a node of it changed in, left or joined.
-  void repair(const Members& members, std::span<const Piece> suspects, std::vector<Key>& keys,
-              std::vector<std::uint8_t>& is_changed);
+  void repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
+              std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed);
 
   /// Of `keys` that are a partition already: lowers those nearer to `seed`, a new region's, and
   /// adds them to `nearer`, maybe more than once.
@@ -71,7 +71,7 @@ class DeltaStepping {
   void relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine, std::size_t few,
                    OnLowered&& on_lowered);
   template <class OnLowered>
-  void examine_piece(const Members& members, const Piece& piece, std::vector<Key>& keys,
+  void examine_piece(const RegionNodes& region_nodes, const Piece& piece, std::vector<Key>& keys,
                      Buckets& mine, OnLowered&& on_lowered);
   template <class OnLowered>
   void examine(NodeId v, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);

@@ -9,8 +9,8 @@
 #include "core/base/stopwatch.h"
 #include "core/lloyd/seed_move.h"
 #include "core/voronoi/fingerprint.h"
-#include "parallel/engine/free_partition.h"
-#include "parallel/engine/region_solver.h"
+#include "parallel/engine/incremental_partition.h"
+#include "parallel/engine/region_relaxation.h"
 
 namespace geolloyd {
 namespace {
@@ -23,7 +23,7 @@ class ParallelEngine final : public Engine {
         free_(scheduler, graph, frontier, seconds_),
         local_of_(graph.node_count()) {
     for (std::size_t t = 0; t < scheduler.threads(); ++t) {
-      solvers_.push_back(std::make_unique<RegionSolver>(goes_on_));
+      relaxations_.push_back(std::make_unique<RegionRelaxation>(goes_on_));
     }
   }
 
@@ -64,20 +64,20 @@ class ParallelEngine final : public Engine {
       return !stopped.load(std::memory_order_relaxed);
     };
     goes_on_();  // at least once
-    const auto settle = [&](RegionId r, Scheduler* shared, RegionSolver& solver) {
+    const auto settle = [&](RegionId r, Scheduler* shared, RegionRelaxation& relaxation) {
       if (stopped) return;
-      moves[r] = settle_region(r, seeds[r], options.extended, shared, solver);
+      moves[r] = settle_region(r, seeds[r], options.extended, shared, relaxation);
       --moving;
     };
     const std::size_t large = count_large(active);
-    for (std::size_t i = 0; i < large; ++i) settle(active[i], &scheduler_, *solvers_.front());
+    for (std::size_t i = 0; i < large; ++i) settle(active[i], &scheduler_, *relaxations_.front());
     parallel_for_ranges(scheduler_, active.size() - large, 1,
                         [&](std::size_t i, std::size_t, std::size_t worker) {
-                          settle(active[large + i], nullptr, *solvers_[worker]);
+                          settle(active[large + i], nullptr, *relaxations_[worker]);
                         });
     if (trusted && !stopped) free_.moved_to(seeds);
     KernelSeconds of_threads;
-    for (const auto& solver : solvers_) of_threads += solver->take_seconds();
+    for (const auto& relaxation : relaxations_) of_threads += relaxation->take_seconds();
     share_out(watch.seconds(), of_threads, seconds_);
     return microsteps(moves, options.microstep_skip);
   }
@@ -93,7 +93,7 @@ class ParallelEngine final : public Engine {
       if (options.keeps_seed[r] == 0) active.push_back(r);
     }
     std::stable_sort(active.begin(), active.end(), [&](RegionId a, RegionId b) {
-      return free_.members().of(a).size() > free_.members().of(b).size();
+      return free_.region_nodes().of(a).size() > free_.region_nodes().of(b).size();
     });
     return active;
   }
@@ -103,10 +103,10 @@ class ParallelEngine final : public Engine {
   [[nodiscard]] std::size_t count_large(std::span<const RegionId> active) const {
     constexpr std::size_t least = 1 << 15;  // fewer nodes do not occupy several threads
     std::size_t left = 0;
-    for (const RegionId r : active) left += free_.members().of(r).size();
+    for (const RegionId r : active) left += free_.region_nodes().of(r).size();
     std::size_t count = 0;
     for (const RegionId r : active) {
-      const std::size_t nodes = free_.members().of(r).size();
+      const std::size_t nodes = free_.region_nodes().of(r).size();
       if (nodes < least || nodes * scheduler_.threads() <= left) break;
       left -= nodes;
       ++count;
@@ -116,10 +116,10 @@ class ParallelEngine final : public Engine {
 
   // Moves `seed` to where it rests and returns in how many moves.
   std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
-                              RegionSolver& solver) {
-    solver.gather(graph_, free_.partition().key, free_.members().of(r), local_of_, shared);
-    const auto [rest, moves] = solver.solve(seed, free_.totals().score[r], extended);
-    if (rest != seed) solver.scatter_keys(r, free_.keys());
+                              RegionRelaxation& relaxation) {
+    relaxation.gather(graph_, free_.partition().key, free_.region_nodes().of(r), local_of_, shared);
+    const auto [rest, moves] = relaxation.relax(seed, free_.totals().score[r], extended);
+    if (rest != seed) relaxation.scatter_keys(r, free_.keys());
     seed = rest;
     return moves;
   }
@@ -133,7 +133,7 @@ class ParallelEngine final : public Engine {
     for (RegionId r = 0; r < moves.size(); ++r) {
       for (std::uint32_t i = 0; i < moves[r]; ++i) ++result[i].seeds_moved;
       for (std::uint32_t i = 0; i < (skip ? moves[r] : most); ++i) {
-        result[i + 1].node_visits += free_.members().of(r).size();
+        result[i + 1].node_visits += free_.region_nodes().of(r).size();
       }
     }
     return result;
@@ -142,12 +142,12 @@ class ParallelEngine final : public Engine {
   Scheduler& scheduler_;
   const Graph& graph_;
   KernelSeconds seconds_;
-  FreePartition free_;
+  IncrementalPartition free_;
   std::vector<NodeId> candidates_;  // per region; of the last update of the sums
   std::optional<bool> extended_;    // their heuristic
   std::vector<NodeId> local_of_;    // per node, its number within its region
   std::function<bool()> goes_on_;   // of the macrostep
-  std::vector<std::unique_ptr<RegionSolver>> solvers_;  // per thread
+  std::vector<std::unique_ptr<RegionRelaxation>> relaxations_;  // per thread
 };
 
 }  // namespace

@@ -30,9 +30,9 @@ PieceTotals total_of(const Graph& graph, std::span<const NodeId> nodes,
 }  // namespace
 
 // Range by range of pieces, so that what the first loop fetched is in the cache for the second.
-void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const Members& members,
-                               std::span<const Piece> pieces, Partition& partition,
-                               RegionTotals& totals, KernelSeconds& seconds) {
+void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph,
+                               const RegionNodes& region_nodes, std::span<const Piece> pieces,
+                               Partition& partition, RegionTotals& totals, KernelSeconds& seconds) {
   const Stopwatch watch;
   std::vector<PieceTotals> of_piece(pieces.size());
   struct alignas(64) WorkerSeconds : KernelSeconds {};
@@ -42,12 +42,13 @@ void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const M
                         {
                           const Timed timed(of_worker[worker].free_search);
                           for (std::size_t i = begin; i < end; ++i) {
-                            derive_parents_of(graph, nodes_of(members, pieces[i]), partition);
+                            derive_parents_of(graph, nodes_of(region_nodes, pieces[i]), partition);
                           }
                         }
                         const Timed timed(of_worker[worker].scoring);
                         for (std::size_t i = begin; i < end; ++i) {
-                          of_piece[i] = total_of(graph, nodes_of(members, pieces[i]), partition);
+                          of_piece[i] =
+                              total_of(graph, nodes_of(region_nodes, pieces[i]), partition);
                         }
                       });
 

@@ -8,7 +8,7 @@
 #include "core/graph/graph.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/partition.h"
-#include "parallel/engine/members.h"
+#include "parallel/engine/region_nodes.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -21,8 +21,8 @@ struct RegionTotals {
 
 /// Derives the parents of the nodes in `pieces`, which make up whole regions, and the totals of
 /// those regions, from their settled keys (forest.h, energy.h). Adds to `seconds` what each took.
-void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph, const Members& members,
-                               std::span<const Piece> pieces, Partition& partition,
-                               RegionTotals& totals, KernelSeconds& seconds);
+void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph,
+                               const RegionNodes& region_nodes, std::span<const Piece> pieces,
+                               Partition& partition, RegionTotals& totals, KernelSeconds& seconds);
 
 }  // namespace geolloyd

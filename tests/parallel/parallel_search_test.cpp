@@ -6,11 +6,11 @@
 #include "core/voronoi/check_partition.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/forest.h"
-#include "parallel/engine/branches.h"
 #include "parallel/engine/delta_stepping.h"
-#include "parallel/engine/lane_search.h"
-#include "parallel/engine/members.h"
-#include "parallel/engine/shared_search.h"
+#include "parallel/engine/large_region_search.h"
+#include "parallel/engine/neighbour_subtrees.h"
+#include "parallel/engine/region_nodes.h"
+#include "parallel/engine/simd_search.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {
@@ -57,8 +57,8 @@ TEST(DeltaStepping, RepairsAnyUpperBounds) {
       if (distance_of(keys[v]) > 0)
         keys[v] = along(keys[v], random_number(random_seed, v, 1 << 28));
     }
-    Members members;
-    find_members(scheduler, keys, seeds.size(), members);
+    RegionNodes members;
+    find_region_nodes(scheduler, keys, seeds.size(), members);
     std::vector<RegionId> regions(seeds.size());
     std::iota(regions.begin(), regions.end(), RegionId{0});
     std::vector<std::uint8_t> is_changed(seeds.size(), 0);
@@ -73,8 +73,8 @@ TEST(DeltaStepping, TellsWhichRegionsChanged) {
   const Graph graph = grid_graph(1, 30);  // a row: regions are runs of nodes
   const std::vector<NodeId> seeds = {2, 12, 27};
   std::vector<Key> keys = partition_by_dijkstra(graph, seeds).key;
-  Members members;
-  find_members(scheduler, keys, 3, members);
+  RegionNodes members;
+  find_region_nodes(scheduler, keys, 3, members);
   keys[9] = along(keys[9], 5);
   const std::vector<RegionId> suspects = {1};
   std::vector<std::uint8_t> is_changed(3, 0);
@@ -83,14 +83,14 @@ TEST(DeltaStepping, TellsWhichRegionsChanged) {
   EXPECT_EQ(is_changed, (std::vector<std::uint8_t>{0, 1, 0}));
 }
 
-TEST(Members, AreTheNodesOfEachRegionAscending) {
+TEST(RegionNodes, AreTheNodesOfEachRegionAscending) {
   for (const std::size_t threads : {1U, 2U, 5U}) {
     Scheduler scheduler(threads);
     const Graph graph = random_graph(3, 300);
     const auto seeds = random_nodes(3, 300, 20);
     const std::vector<Key> keys = partition_by_dijkstra(graph, seeds).key;
-    Members members;
-    find_members(scheduler, keys, seeds.size(), members);
+    RegionNodes members;
+    find_region_nodes(scheduler, keys, seeds.size(), members);
     std::size_t listed = 0;
     for (RegionId r = 0; r < seeds.size(); ++r) {
       const auto nodes = members.of(r);
@@ -103,8 +103,8 @@ TEST(Members, AreTheNodesOfEachRegionAscending) {
   }
 }
 
-TEST(Members, LargeRegionsAreCut) {
-  Members members;
+TEST(RegionNodes, LargeRegionsAreCut) {
+  RegionNodes members;
   members.first = {0, 3, 10000, 10000};
   members.node.resize(10000);
   const std::vector<RegionId> regions = {1, 2, 0};
@@ -189,15 +189,15 @@ Score score_from(const Graph& graph, NodeId source) {
 }
 
 // From any nodes, neighbours of the stand or not, given bounds that are merely not too low.
-TEST(LaneSearch, FindsDistancesAndScoresOfAllItsSources) {
-  LaneSearch lanes;
+TEST(SimdSearch, FindsDistancesAndScoresOfAllItsSources) {
+  SimdSearch lanes;
   for_stands([&](const Graph& graph, NodeId stand, const Partition& partition) {
     const StandBranches branches(graph, stand, partition);
     const auto nodes = static_cast<NodeId>(graph.node_count());
     const std::vector<NodeId> sources =
-        random_nodes(nodes, nodes, std::min<NodeId>(LaneSearch::lanes, nodes));
-    std::vector<LaneSearch::Lanes> offset(1);
-    for (std::size_t j = 0; j < LaneSearch::lanes; ++j) {
+        random_nodes(nodes, nodes, std::min<NodeId>(SimdSearch::lanes, nodes));
+    std::vector<SimdSearch::Lanes> offset(1);
+    for (std::size_t j = 0; j < SimdSearch::lanes; ++j) {
       offset[0].d[j] = distance_of(partition.key[sources[j % sources.size()]]);
     }
     lanes.run(graph, sources, {partition.key, branches.branch_of, offset}, all_nodes(graph));
@@ -213,7 +213,7 @@ TEST(LaneSearch, FindsDistancesAndScoresOfAllItsSources) {
 }
 
 // Two links of the longest length in a row, with the greatest mass at both ends: sums of 95 bits.
-TEST(LaneSearch, ScoresAreExactAtTheLimits) {
+TEST(SimdSearch, ScoresAreExactAtTheLimits) {
   Graph graph;
   graph.first_arc = {0, 1, 3, 4};
   graph.target = {1, 0, 2, 1};
@@ -221,8 +221,8 @@ TEST(LaneSearch, ScoresAreExactAtTheLimits) {
   graph.mass = {~0U, ~0U, ~0U};
   const std::vector<NodeId> sources = {0};
   const Partition partition = partition_by_dijkstra(graph, {0});
-  LaneSearch lanes;
-  const std::vector<LaneSearch::Lanes> offset(1, LaneSearch::Lanes{});
+  SimdSearch lanes;
+  const std::vector<SimdSearch::Lanes> offset(1, SimdSearch::Lanes{});
   const std::vector<std::uint32_t> branch_of(3, 0);
   lanes.run(graph, sources, {partition.key, branch_of, offset}, all_nodes(graph));
   EXPECT_EQ(lanes.distance(2, 0), 2 * ((1U << 30) - 1));
@@ -230,7 +230,7 @@ TEST(LaneSearch, ScoresAreExactAtTheLimits) {
 }
 
 // From the other end of the longest ways to a source two arcs away: bounds beyond 32 bits.
-TEST(SharedSearch, KeepsToItsLimits) {
+TEST(LargeRegionSearch, KeepsToItsLimits) {
   Graph graph;
   constexpr std::uint32_t longest = (1U << 30) - 1;
   graph.first_arc = {0, 1, 3, 4};
@@ -240,16 +240,16 @@ TEST(SharedSearch, KeepsToItsLimits) {
   const Partition partition = partition_by_dijkstra(graph, {0});
   const StandBranches branches(graph, 0, partition);
   Scheduler scheduler(2);
-  SharedSearch search(scheduler, graph);
+  LargeRegionSearch search(scheduler, graph);
   search.run(partition, 0, branches.branch_of, 2);
   EXPECT_EQ(search.score(), score_from(graph, 2));
 }
 
-TEST(SharedSearch, FindsDistancesAndScoresFromNodeToNode) {
+TEST(LargeRegionSearch, FindsDistancesAndScoresFromNodeToNode) {
   Scheduler scheduler(3);
   for_stands([&](const Graph& graph, NodeId stand, const Partition& partition) {
     const StandBranches branches(graph, stand, partition);
-    SharedSearch search(scheduler, graph);
+    LargeRegionSearch search(scheduler, graph);
     for (NodeId source = 0; source < graph.node_count(); ++source) {
       search.run(partition, stand, branches.branch_of, source);
       ASSERT_EQ(search.source(), source);

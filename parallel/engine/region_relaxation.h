@@ -10,10 +10,10 @@
 #include "core/base/stopwatch.h"
 #include "core/lloyd/engine.h"
 #include "core/lloyd/seed_move.h"
-#include "parallel/engine/branches.h"
-#include "parallel/engine/lane_search.h"
+#include "parallel/engine/large_region_search.h"
 #include "parallel/engine/local_region.h"
-#include "parallel/engine/shared_search.h"
+#include "parallel/engine/neighbour_subtrees.h"
+#include "parallel/engine/simd_search.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -26,10 +26,10 @@ namespace geolloyd {
 ///   neighbour, finds it no better, and comes back; back, nothing is new.
 /// * Such a visit asks for the score only. Subtree sums are needed where the seed *stands*, which
 ///   is where it has no lower neighbour: there it compares those it has not been to.
-/// * Standing, it will want the scores of most of these. They are found together (lane_search.h).
+/// * Standing, it will want the scores of most of these. They are found together (simd_search.h).
 ///
 /// One per thread; the memory is reused.
-class RegionSolver {
+class RegionRelaxation {
  public:
   struct Outcome {
     NodeId seed;          ///< where it rests, in the whole graph
@@ -37,7 +37,7 @@ class RegionSolver {
   };
 
   /// `goes_on` is asked before each move; once it returns false the work ends.
-  explicit RegionSolver(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
+  explicit RegionRelaxation(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
 
   /// Takes a copy of a region (local_region.h), to work on with all threads of `shared`, or alone
   /// where that is null.
@@ -45,7 +45,7 @@ class RegionSolver {
               std::vector<NodeId>& local_of, Scheduler* shared);
   /// Of the region gathered last, from `seed`, whose keys and score these are. If it may not go on
   /// until the seed rests, that is anywhere.
-  Outcome solve(NodeId seed, Score score, bool extended);
+  Outcome relax(NodeId seed, Score score, bool extended);
   /// Writes back the keys of where the seed is now; other threads may be reading those of others.
   void scatter_keys(RegionId region, std::vector<Key>& keys);
 
@@ -91,15 +91,15 @@ class RegionSolver {
   BranchOf branch_of_;
   SubtreeSums sums_;
 
-  std::unique_ptr<SharedSearch> shared_;  // null when working alone
-  LaneSearch lanes_;
+  std::unique_ptr<LargeRegionSearch> shared_;  // null when working alone
+  SimdSearch lanes_;
   std::vector<NodeId> sources_;  // of the lanes; none where these are not of this stand
 
   // Room for work.
   std::vector<NodeId> order_;
   std::vector<NodeId> bucket_;
   std::vector<BranchSum> branch_sums_;
-  std::vector<LaneSearch::Lanes> offset_;
+  std::vector<SimdSearch::Lanes> offset_;
   std::vector<std::uint8_t> below_;
   KernelSeconds seconds_;
   Laps laps_;

@@ -1,4 +1,4 @@
-#include "parallel/engine/region_solver.h"
+#include "parallel/engine/region_relaxation.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,18 +9,19 @@
 
 namespace geolloyd {
 
-void RegionSolver::gather(const Graph& graph, const std::vector<Key>& keys,
-                          std::span<const NodeId> nodes, std::vector<NodeId>& local_of,
-                          Scheduler* shared) {
+void RegionRelaxation::gather(const Graph& graph, const std::vector<Key>& keys,
+                              std::span<const NodeId> nodes, std::vector<NodeId>& local_of,
+                              Scheduler* shared) {
   laps_.begin(weight_of_time(nodes.size(), shared));
   copy_region(graph, keys, nodes, local_of, local_);
-  shared_ = shared != nullptr ? std::make_unique<SharedSearch>(*shared, local_.graph) : nullptr;
+  shared_ =
+      shared != nullptr ? std::make_unique<LargeRegionSearch>(*shared, local_.graph) : nullptr;
   laps_.end(seconds_.gathering);
 }
 
 // Counts the time of all threads. Small regions are settled in little more time than it takes to
 // measure that, so every eighth of them stands for all.
-double RegionSolver::weight_of_time(std::size_t nodes, const Scheduler* shared) {
+double RegionRelaxation::weight_of_time(std::size_t nodes, const Scheduler* shared) {
   constexpr std::size_t small = 512;
   constexpr std::size_t every = 8;
   if (shared != nullptr) return static_cast<double>(shared->threads());
@@ -28,14 +29,14 @@ double RegionSolver::weight_of_time(std::size_t nodes, const Scheduler* shared) 
   return small_regions_++ % every == 0 ? every : 0;
 }
 
-void RegionSolver::scatter_keys(RegionId region, std::vector<Key>& keys) {
+void RegionRelaxation::scatter_keys(RegionId region, std::vector<Key>& keys) {
   for (NodeId v = 0; v < local_.size(); ++v) {
     store_key(keys[local_.node[v]], make_key(distance_of(local_.partition.key[v]), region));
   }
   laps_.end(seconds_.gathering);
 }
 
-RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extended) {
+RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool extended) {
   extended_ = extended;
   const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
   auto at = static_cast<NodeId>(place - local_.node.begin());
@@ -56,7 +57,7 @@ RegionSolver::Outcome RegionSolver::solve(NodeId seed, Score score, bool extende
   return {local_.node[at], moves};
 }
 
-void RegionSolver::begin(NodeId seed, Score score) {
+void RegionRelaxation::begin(NodeId seed, Score score) {
   const std::size_t nodes = local_.size();
   score_.assign(nodes, never_scored);
   ahead_.assign(nodes, never_scored);
@@ -74,7 +75,7 @@ void RegionSolver::begin(NodeId seed, Score score) {
   laps_.end(seconds_.gathering);
 }
 
-void RegionSolver::stand_at(NodeId node) {
+void RegionRelaxation::stand_at(NodeId node) {
   if (stand_ == node) return;
   if (stand_ != no_id) move_keys_to(node);  // else they are there already
   stand_ = node;
@@ -82,7 +83,7 @@ void RegionSolver::stand_at(NodeId node) {
   weigh_neighbours();
 }
 
-void RegionSolver::move_keys_to(NodeId node) {
+void RegionRelaxation::move_keys_to(NodeId node) {
   if (shared_) {
     if (shared_->source() != node) search_shared(node);
     shared_->swap_keys(local_.partition.key);
@@ -101,7 +102,7 @@ void RegionSolver::move_keys_to(NodeId node) {
   laps_.end(seconds_.locked_search);
 }
 
-void RegionSolver::find_sums() {
+void RegionRelaxation::find_sums() {
   const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
   if (shared_) {
     shared_->derive_parents(local_.partition);
@@ -117,7 +118,7 @@ void RegionSolver::find_sums() {
   laps_.end(seconds_.subtree_sums);
 }
 
-void RegionSolver::weigh_neighbours() {
+void RegionRelaxation::weigh_neighbours() {
   find_sums();
   const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
   promises_.clear();
@@ -130,14 +131,14 @@ void RegionSolver::weigh_neighbours() {
   laps_.end(seconds_.movement);
 }
 
-NodeId RegionSolver::best_promise() const {
+NodeId RegionRelaxation::best_promise() const {
   for (const Promise& p : promises_) {
     if (score_[p.node] == never_scored) return p.node;
   }
   return no_id;
 }
 
-Score RegionSolver::score_of(NodeId node) {
+Score RegionRelaxation::score_of(NodeId node) {
   if (shared_) {
     search_shared(node);
     const Score score = shared_->score();
@@ -148,16 +149,16 @@ Score RegionSolver::score_of(NodeId node) {
   return ahead_[node];
 }
 
-void RegionSolver::search_shared(NodeId source) {
+void RegionRelaxation::search_shared(NodeId source) {
   shared_->run(local_.partition, stand_, branch_of_, source);
   laps_.end(seconds_.locked_search);
 }
 
 // Fills the lanes with `node` and what may follow it.
-void RegionSolver::look_ahead(NodeId node) {
+void RegionRelaxation::look_ahead(NodeId node) {
   sources_.assign(1, node);
   for (const Promise& p : promises_) {
-    if (sources_.size() == LaneSearch::lanes) break;
+    if (sources_.size() == SimdSearch::lanes) break;
     const bool wanted = score_[p.node] == never_scored && ahead_[p.node] == never_scored;
     if (wanted && p.node != node) sources_.push_back(p.node);
   }
@@ -167,10 +168,10 @@ void RegionSolver::look_ahead(NodeId node) {
   laps_.end(seconds_.scoring);
 }
 
-void RegionSolver::search_from_sources() {
+void RegionRelaxation::search_from_sources() {
   find_order();
   offset_.resize(local_.graph.neighbours(stand_).size() + 1);
-  for (std::size_t j = 0; j < LaneSearch::lanes; ++j) offset_lane(j);
+  for (std::size_t j = 0; j < SimdSearch::lanes; ++j) offset_lane(j);
   lanes_.run(local_.graph, sources_, {local_.partition.key, branch_of_, offset_},
              std::span(order_).first(local_.size()));
   laps_.end(seconds_.locked_search);
@@ -178,7 +179,7 @@ void RegionSolver::search_from_sources() {
 
 // From a neighbour of the stand, what is in its subtree is nearer by its distance, and the rest
 // farther by that at most. From any other node all may be farther. Idle lanes do as the first.
-void RegionSolver::offset_lane(std::size_t lane) {
+void RegionRelaxation::offset_lane(std::size_t lane) {
   const NodeId source = sources_[lane < sources_.size() ? lane : 0];
   const std::uint32_t distance = distance_of(local_.partition.key[source]);
   find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
@@ -189,7 +190,7 @@ void RegionSolver::offset_lane(std::size_t lane) {
 }
 
 // Sorts by distance, but for what falls into the same of as many buckets as nodes.
-void RegionSolver::find_order() {
+void RegionRelaxation::find_order() {
   const std::vector<Key>& keys = local_.partition.key;
   std::uint32_t bits = 0;
   for (const Key key : keys) bits |= distance_of(key);

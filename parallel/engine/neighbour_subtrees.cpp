@@ -1,4 +1,4 @@
-#include "parallel/engine/branches.h"
+#include "parallel/engine/neighbour_subtrees.h"
 
 #include <algorithm>
 #include <atomic>
@@ -113,22 +113,23 @@ std::vector<Piece> join_parts(const Graph& graph, std::span<const NodeId> seeds,
 
 // Several threads to a region: each step is done for all before the next begins.
 void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
-                            const Partition& partition, const Members& members,
+                            const Partition& partition, const RegionNodes& region_nodes,
                             std::span<const Piece> pieces, BranchOf& branch_of,
                             SubtreeSums& sums_at) {
   const std::vector<Piece> parts = join_parts(graph, seeds, pieces);
   const auto is_first = [&](std::size_t i) {
     return i == 0 || parts[i].region != parts[i - 1].region;
   };
-  parallel_for(scheduler, parts.size(), 1,
-               [&](std::size_t i) { forget_branches(nodes_of(members, parts[i]), branch_of); });
+  parallel_for(scheduler, parts.size(), 1, [&](std::size_t i) {
+    forget_branches(nodes_of(region_nodes, parts[i]), branch_of);
+  });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_first(i)) mark_branches(graph, partition.key, seeds[parts[i].region], branch_of);
   }
   std::vector<std::vector<BranchSum>> sums(parts.size());
   parallel_for(scheduler, parts.size(), 1, [&](std::size_t i) {
     sums[i].resize(graph.neighbours(seeds[parts[i].region]).size());
-    add_to_branches(graph, partition, nodes_of(members, parts[i]), branch_of, sums[i]);
+    add_to_branches(graph, partition, nodes_of(region_nodes, parts[i]), branch_of, sums[i]);
   });
   for (std::size_t first = 0; first < parts.size();) {
     const RegionId region = parts[first].region;
@@ -144,23 +145,24 @@ void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<
 }  // namespace
 
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
-                   const Partition& partition, const Members& members,
+                   const Partition& partition, const RegionNodes& region_nodes,
                    std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at) {
   std::vector<std::vector<BranchSum>> of_worker(scheduler.threads());
   std::vector<Piece> parts;  // of regions of several pieces
   for (const Piece& p : pieces) {
-    if (!is_whole(members, p)) parts.push_back(p);
+    if (!is_whole(region_nodes, p)) parts.push_back(p);
   }
   parallel_for_ranges(scheduler, pieces.size(), grain_of(pieces),
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         for (std::size_t i = begin; i < end; ++i) {
-                          if (!is_whole(members, pieces[i])) continue;
+                          if (!is_whole(region_nodes, pieces[i])) continue;
                           find_branches(graph, partition, seeds[pieces[i].region],
-                                        nodes_of(members, pieces[i]), branch_of, of_worker[worker],
-                                        sums_at);
+                                        nodes_of(region_nodes, pieces[i]), branch_of,
+                                        of_worker[worker], sums_at);
                         }
                       });
-  find_branches_of_parts(scheduler, graph, seeds, partition, members, parts, branch_of, sums_at);
+  find_branches_of_parts(scheduler, graph, seeds, partition, region_nodes, parts, branch_of,
+                         sums_at);
 }
 
 // Answers are kept on the way up: of many branches one above the other each is climbed once.

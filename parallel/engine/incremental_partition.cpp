@@ -1,4 +1,4 @@
-#include "parallel/engine/free_partition.h"
+#include "parallel/engine/incremental_partition.h"
 
 #include <algorithm>
 
@@ -20,8 +20,8 @@ std::vector<RegionId> regions_where(const std::vector<std::uint8_t>& flags, bool
 
 }  // namespace
 
-FreePartition::FreePartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
-                             KernelSeconds& seconds)
+IncrementalPartition::IncrementalPartition(Scheduler& scheduler, const Graph& graph,
+                                           Frontier frontier, KernelSeconds& seconds)
     : scheduler_(scheduler),
       graph_(graph),
       frontier_(frontier),
@@ -33,7 +33,7 @@ FreePartition::FreePartition(Scheduler& scheduler, const Graph& graph, Frontier 
   partition_.parent.resize(graph.node_count());
 }
 
-void FreePartition::update(std::span<const NodeId> seeds) {
+void IncrementalPartition::update(std::span<const NodeId> seeds) {
   {
     const Timed timed(seconds_.free_search);
     const bool repairable = can_repair(seeds);
@@ -47,28 +47,28 @@ void FreePartition::update(std::span<const NodeId> seeds) {
   }
   {
     const Timed timed(seconds_.gathering);
-    find_members(scheduler_, partition_.key, seeds.size(), members_);
+    find_region_nodes(scheduler_, partition_.key, seeds.size(), region_nodes_);
   }
   derive_changed();
   has_partition_ = true;
 }
 
-std::vector<RegionId> FreePartition::update_sums() {
+std::vector<RegionId> IncrementalPartition::update_sums() {
   const Timed timed(seconds_.subtree_sums);
   std::vector<RegionId> regions = regions_where(has_sums_, false);
-  find_branches(scheduler_, graph_, seeds_, partition_, members_,
-                cut_into_pieces(members_, regions), branch_of_, sums_);
+  find_branches(scheduler_, graph_, seeds_, partition_, region_nodes_,
+                cut_into_pieces(region_nodes_, regions), branch_of_, sums_);
   has_sums_.assign(seeds_.size(), 1);
   return regions;
 }
 
-std::uint64_t FreePartition::digest_of_nodes() const {
+std::uint64_t IncrementalPartition::digest_of_nodes() const {
   std::uint64_t sum = digest_of_unreached_;
   for (const std::uint64_t d : totals_.digest) sum += d;
   return sum;
 }
 
-void FreePartition::moved_to(std::span<const NodeId> seeds) {
+void IncrementalPartition::moved_to(std::span<const NodeId> seeds) {
   for (RegionId r = 0; r < seeds.size(); ++r) {
     if (seeds[r] == seeds_[r]) continue;
     seeds_[r] = seeds[r];
@@ -79,7 +79,7 @@ void FreePartition::moved_to(std::span<const NodeId> seeds) {
 }
 
 // Seeds that moved within their regions, and further seeds, leave upper bounds to start from.
-bool FreePartition::can_repair(std::span<const NodeId> seeds) const {
+bool IncrementalPartition::can_repair(std::span<const NodeId> seeds) const {
   if (!has_partition_ || seeds.size() < seeds_.size()) return false;
   if (frontier_ == Frontier::heap || frontier_ == Frontier::delta) return false;
   for (RegionId r = 0; r < seeds_.size(); ++r) {
@@ -91,7 +91,7 @@ bool FreePartition::can_repair(std::span<const NodeId> seeds) const {
   return true;
 }
 
-void FreePartition::search_from_scratch(std::span<const NodeId> seeds) {
+void IncrementalPartition::search_from_scratch(std::span<const NodeId> seeds) {
   if (frontier_ == Frontier::heap) {
     IndexedHeap heap(graph_.node_count());
     std::vector<NodeId> settled;
@@ -106,7 +106,7 @@ void FreePartition::search_from_scratch(std::span<const NodeId> seeds) {
   totals_.digest.assign(seeds.size(), 0);
 }
 
-void FreePartition::sum_unreached() {
+void IncrementalPartition::sum_unreached() {
   digest_of_unreached_ = parallel_reduce<std::uint64_t>(
       scheduler_, graph_.node_count(), 1 << 15, [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
@@ -119,7 +119,7 @@ void FreePartition::sum_unreached() {
       });
 }
 
-void FreePartition::search_from_last(std::span<const NodeId> seeds) {
+void IncrementalPartition::search_from_last(std::span<const NodeId> seeds) {
   std::vector<RegionId> moved;
   for (RegionId r = 0; r < seeds_.size(); ++r) {
     if (seeds[r] == seeds_[r]) continue;
@@ -130,13 +130,14 @@ void FreePartition::search_from_last(std::span<const NodeId> seeds) {
   plant(seeds);
   const std::vector<RegionId> suspects = regions_where(is_changed_, true);
   add_regions(seeds.size());
-  delta_stepping_.repair(members_, cut_into_pieces(members_, suspects), partition_.key,
+  delta_stepping_.repair(region_nodes_, cut_into_pieces(region_nodes_, suspects), partition_.key,
                          is_changed_);
 }
 
 // Where a seed moved within its region, no node is farther than it was plus the way back to the old
 // seed, and those in the subtree of the new one are nearer by as much.
-void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const NodeId> seeds) {
+void IncrementalPartition::shift_keys(std::span<const RegionId> moved,
+                                      std::span<const NodeId> seeds) {
   struct Shift {
     std::uint32_t way = 0;
     std::vector<std::uint8_t> below;  // per branch, where known
@@ -151,10 +152,10 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
       find_branches_below(graph_, partition_, seeds_[r], branch_of_, seeds[r], shift_of[i].below);
     }
   });
-  const std::vector<Piece> pieces = cut_into_pieces(members_, moved);
+  const std::vector<Piece> pieces = cut_into_pieces(region_nodes_, moved);
   parallel_for(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
     const Shift& shift = shift_of[place[pieces[i].region]];
-    for (const NodeId v : nodes_of(members_, pieces[i])) {
+    for (const NodeId v : nodes_of(region_nodes_, pieces[i])) {
       Key& key = partition_.key[v];
       key = bound_after_move(key, branch_of_[v], shift.below, shift.way);
     }
@@ -163,7 +164,7 @@ void FreePartition::shift_keys(std::span<const RegionId> moved, std::span<const 
 }
 
 // Seeds beyond those that there were take their nodes from other regions.
-void FreePartition::plant(std::span<const NodeId> seeds) {
+void IncrementalPartition::plant(std::span<const NodeId> seeds) {
   for (std::size_t r = seeds_.size(); r < seeds.size(); ++r) {
     Key& key = partition_.key[seeds[r]];
     if (region_of(key) < seeds_.size()) is_changed_[region_of(key)] = 1;
@@ -171,17 +172,17 @@ void FreePartition::plant(std::span<const NodeId> seeds) {
   }
 }
 
-void FreePartition::add_regions(std::size_t count) {
+void IncrementalPartition::add_regions(std::size_t count) {
   is_changed_.resize(count, 1);
   has_sums_.resize(count, 0);
   totals_.score.resize(count, 0);
   totals_.digest.resize(count, 0);
 }
 
-void FreePartition::derive_changed() {
+void IncrementalPartition::derive_changed() {
   const std::vector<RegionId> changed = regions_where(is_changed_, true);
-  derive_parents_and_totals(scheduler_, graph_, members_, cut_into_pieces(members_, changed),
-                            partition_, totals_, seconds_);
+  derive_parents_and_totals(scheduler_, graph_, region_nodes_,
+                            cut_into_pieces(region_nodes_, changed), partition_, totals_, seconds_);
   for (const RegionId r : changed) has_sums_[r] = 0;
   is_changed_.assign(seeds_.size(), 0);
 }

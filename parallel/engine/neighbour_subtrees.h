@@ -7,7 +7,7 @@
 #include "core/graph/graph.h"
 #include "core/voronoi/partition.h"
 #include "core/voronoi/subtree.h"
-#include "parallel/engine/members.h"
+#include "parallel/engine/region_nodes.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -51,7 +51,7 @@ void find_branches(const Graph& graph, const Partition& partition, NodeId seed,
 
 /// All of that for the regions that `pieces` make up, those of a region in a row.
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
-                   const Partition& partition, const Members& members,
+                   const Partition& partition, const RegionNodes& region_nodes,
                    std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at);
 
 /// Per arc of `seed`: not 0 where that branch lies in the subtree of `top`; all 0 where `top` is no

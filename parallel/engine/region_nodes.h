@@ -10,7 +10,7 @@
 namespace geolloyd {
 
 /// The nodes of each region, ascending. Nodes that no seed reaches are in none.
-struct Members {
+struct RegionNodes {
   std::vector<NodeId> first{0};  ///< per region, and one more: into `node`
   std::vector<NodeId> node;
 
@@ -22,23 +22,24 @@ struct Members {
 /// A part of one region: large regions are cut, so that several threads can share one.
 struct Piece {
   RegionId region;
-  NodeId begin;  ///< into Members::node
+  NodeId begin;  ///< into RegionNodes::node
   NodeId end;
 };
 
-/// Sorts the nodes by region (counting, stable). Reuses the memory of `members`.
-void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
-                  Members& members);
+/// Sorts the nodes by region (counting, stable). Reuses the memory of `region_nodes`.
+void find_region_nodes(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
+                       RegionNodes& region_nodes);
 
-std::span<const NodeId> nodes_of(const Members& members, const Piece& piece);
+std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const Piece& piece);
 
 /// Whether the piece is all of its region.
-bool is_whole(const Members& members, const Piece& piece);
+bool is_whole(const RegionNodes& region_nodes, const Piece& piece);
 
 /// How many of them make a task worth giving to another thread.
 std::size_t grain_of(std::span<const Piece> pieces);
 
 /// The pieces of those `regions`, in their order.
-std::vector<Piece> cut_into_pieces(const Members& members, std::span<const RegionId> regions);
+std::vector<Piece> cut_into_pieces(const RegionNodes& region_nodes,
+                                   std::span<const RegionId> regions);
 
 }  // namespace geolloyd

@@ -9,10 +9,10 @@
 #include "core/lloyd/engine.h"
 #include "core/voronoi/partition.h"
 #include "core/voronoi/subtree.h"
-#include "parallel/engine/branches.h"
 #include "parallel/engine/delta_stepping.h"
-#include "parallel/engine/members.h"
+#include "parallel/engine/neighbour_subtrees.h"
 #include "parallel/engine/parallel_engine.h"
+#include "parallel/engine/region_nodes.h"
 #include "parallel/engine/region_totals.h"
 #include "parallel/threads/scheduler.h"
 
@@ -21,12 +21,12 @@ namespace geolloyd {
 /// The partition, regions free, of seeds that move a little from time to time, or become more, and
 /// what depends on it region by region. Only regions in which something changed are gone through
 /// again.
-class FreePartition {
+class IncrementalPartition {
  public:
-  FreePartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
-                KernelSeconds& seconds);
+  IncrementalPartition(Scheduler& scheduler, const Graph& graph, Frontier frontier,
+                       KernelSeconds& seconds);
 
-  /// Finds the partition of `seeds` with its parents, members and totals.
+  /// Finds the partition of `seeds` with its parents, the nodes of its regions and their totals.
   void update(std::span<const NodeId> seeds);
   /// Finds the subtree sums at the neighbours of the seeds, those of the last update().
   /// Returns the regions in which they were found anew.
@@ -35,7 +35,7 @@ class FreePartition {
   void forget_sums() { has_sums_.assign(has_sums_.size(), 0); }
 
   [[nodiscard]] const Partition& partition() const { return partition_; }
-  [[nodiscard]] const Members& members() const { return members_; }
+  [[nodiscard]] const RegionNodes& region_nodes() const { return region_nodes_; }
   [[nodiscard]] const RegionTotals& totals() const { return totals_; }
   [[nodiscard]] const SubtreeSums& sums() const { return sums_; }
   /// Sum over all nodes (fingerprint.h).
@@ -70,7 +70,7 @@ class FreePartition {
   bool has_partition_ = false;
   std::vector<NodeId> seeds_;  // that the keys belong to
   Partition partition_;
-  Members members_;
+  RegionNodes region_nodes_;
   RegionTotals totals_;
   std::uint64_t digest_of_unreached_ = 0;
   Flags is_changed_;  // since the last update, in its parents or totals

@@ -6,20 +6,20 @@
 #include "core/graph/graph.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/partition.h"
-#include "parallel/engine/branches.h"
 #include "parallel/engine/delta_stepping.h"
-#include "parallel/engine/members.h"
+#include "parallel/engine/neighbour_subtrees.h"
+#include "parallel/engine/region_nodes.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
 
 /// Shortest distances over one large graph from one source at a time, by all threads: what lanes
-/// (lane_search.h) are to small regions. The bounds to start from are the same.
-class SharedSearch {
+/// (simd_search.h) are to small regions. The bounds to start from are the same.
+class LargeRegionSearch {
  public:
-  SharedSearch(Scheduler& scheduler, const Graph& graph);
+  LargeRegionSearch(Scheduler& scheduler, const Graph& graph);
 
-  /// Distances from `source`, given those from `stand` and its branches (branches.h).
+  /// Distances from `source`, given those from `stand` and its branches (neighbour_subtrees.h).
   void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
 
   /// Parents of `partition` from its keys.
@@ -39,7 +39,7 @@ class SharedSearch {
   Scheduler& scheduler_;
   const Graph& graph_;
   DeltaStepping delta_stepping_;
-  Members members_;  // one region: all nodes
+  RegionNodes region_nodes_;  // one region: all nodes
   std::vector<Piece> pieces_;
   std::vector<Key> keys_;
   NodeId source_ = no_id;

@@ -1,4 +1,4 @@
-#include "parallel/engine/shared_search.h"
+#include "parallel/engine/large_region_search.h"
 
 #include <numeric>
 
@@ -12,20 +12,20 @@ constexpr std::size_t grain = 4096;
 
 }  // namespace
 
-SharedSearch::SharedSearch(Scheduler& scheduler, const Graph& graph)
+LargeRegionSearch::LargeRegionSearch(Scheduler& scheduler, const Graph& graph)
     : scheduler_(scheduler),
       graph_(graph),
       delta_stepping_(scheduler, graph),
       keys_(graph.node_count()) {
-  members_.first = {0, static_cast<NodeId>(graph.node_count())};
-  members_.node.resize(graph.node_count());
-  std::iota(members_.node.begin(), members_.node.end(), NodeId{0});
+  region_nodes_.first = {0, static_cast<NodeId>(graph.node_count())};
+  region_nodes_.node.resize(graph.node_count());
+  std::iota(region_nodes_.node.begin(), region_nodes_.node.end(), NodeId{0});
   constexpr RegionId only = 0;
-  pieces_ = cut_into_pieces(members_, {&only, 1});
+  pieces_ = cut_into_pieces(region_nodes_, {&only, 1});
 }
 
-void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
-                       NodeId source) {
+void LargeRegionSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
+                            NodeId source) {
   source_ = source;
   const std::uint32_t distance = distance_of(partition.key[source]);
   std::vector<std::uint8_t> below;
@@ -35,22 +35,23 @@ void SharedSearch::run(const Partition& partition, NodeId stand, const BranchOf&
   });
   keys_[source] = make_key(0, 0);
   std::vector<std::uint8_t> is_changed(1);
-  delta_stepping_.repair(members_, pieces_, keys_, is_changed);
+  delta_stepping_.repair(region_nodes_, pieces_, keys_, is_changed);
 }
 
-void SharedSearch::derive_parents(Partition& partition) {
+void LargeRegionSearch::derive_parents(Partition& partition) {
   parallel_for(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
-    geolloyd::derive_parents(graph_, partition.key, nodes_of(members_, pieces_[i]),
+    geolloyd::derive_parents(graph_, partition.key, nodes_of(region_nodes_, pieces_[i]),
                              partition.parent);
   });
 }
 
-void SharedSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
-                             SubtreeSums& sums) {
-  find_branches(scheduler_, graph_, {&stand, 1}, partition, members_, pieces_, branch_of, sums);
+void LargeRegionSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
+                                  SubtreeSums& sums) {
+  find_branches(scheduler_, graph_, {&stand, 1}, partition, region_nodes_, pieces_, branch_of,
+                sums);
 }
 
-Score SharedSearch::score() const {
+Score LargeRegionSearch::score() const {
   return parallel_reduce<Score>(scheduler_, keys_.size(), grain,
                                 [&](std::size_t begin, std::size_t end) {
                                   Score sum = 0;

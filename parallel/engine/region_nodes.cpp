@@ -1,4 +1,4 @@
-#include "parallel/engine/members.h"
+#include "parallel/engine/region_nodes.h"
 
 #include <algorithm>
 
@@ -18,8 +18,8 @@ std::size_t choose_block_size(Scheduler& scheduler, std::size_t nodes, std::size
 
 }  // namespace
 
-void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
-                  Members& members) {
+void find_region_nodes(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
+                       RegionNodes& region_nodes) {
   const std::size_t size = choose_block_size(scheduler, keys.size(), regions);
   const std::size_t blocks = (keys.size() + size - 1) / size;
   // By block and region: first the number of nodes there, then where the next of them goes.
@@ -32,35 +32,35 @@ void find_members(Scheduler& scheduler, std::span<const Key> keys, std::size_t r
                         }
                       });
 
-  members.first.resize(regions + 1);
+  region_nodes.first.resize(regions + 1);
   NodeId total = 0;
   for (std::size_t r = 0; r < regions; ++r) {
-    members.first[r] = total;
+    region_nodes.first[r] = total;
     for (std::size_t b = 0; b < blocks; ++b) {
       const NodeId count = slot[b * regions + r];
       slot[b * regions + r] = total;
       total += count;
     }
   }
-  members.first[regions] = total;
+  region_nodes.first[regions] = total;
 
-  members.node.resize(total);
+  region_nodes.node.resize(total);
   parallel_for_ranges(scheduler, keys.size(), size,
                       [&](std::size_t begin, std::size_t end, std::size_t) {
                         NodeId* const next = slot.data() + begin / size * regions;
                         for (std::size_t v = begin; v < end; ++v) {
                           if (keys[v] != unreached)
-                            members.node[next[region_of(keys[v])]++] = static_cast<NodeId>(v);
+                            region_nodes.node[next[region_of(keys[v])]++] = static_cast<NodeId>(v);
                         }
                       });
 }
 
-std::span<const NodeId> nodes_of(const Members& members, const Piece& piece) {
-  return {members.node.data() + piece.begin, members.node.data() + piece.end};
+std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const Piece& piece) {
+  return {region_nodes.node.data() + piece.begin, region_nodes.node.data() + piece.end};
 }
 
-bool is_whole(const Members& members, const Piece& piece) {
-  return piece.end - piece.begin == members.of(piece.region).size();
+bool is_whole(const RegionNodes& region_nodes, const Piece& piece) {
+  return piece.end - piece.begin == region_nodes.of(piece.region).size();
 }
 
 std::size_t grain_of(std::span<const Piece> pieces) {
@@ -70,13 +70,14 @@ std::size_t grain_of(std::span<const Piece> pieces) {
   return std::max<std::size_t>(nodes_a_task * pieces.size() / nodes, 1);
 }
 
-std::vector<Piece> cut_into_pieces(const Members& members, std::span<const RegionId> regions) {
+std::vector<Piece> cut_into_pieces(const RegionNodes& region_nodes,
+                                   std::span<const RegionId> regions) {
   constexpr NodeId most_nodes_a_piece = 4096;
   std::vector<Piece> pieces;
   pieces.reserve(regions.size());
   for (const RegionId r : regions) {
-    for (NodeId begin = members.first[r]; begin < members.first[r + 1];) {
-      const NodeId end = std::min(begin + most_nodes_a_piece, members.first[r + 1]);
+    for (NodeId begin = region_nodes.first[r]; begin < region_nodes.first[r + 1];) {
+      const NodeId end = std::min(begin + most_nodes_a_piece, region_nodes.first[r + 1]);
       pieces.push_back({r, begin, end});
       begin = end;
     }

@@ -16,7 +16,7 @@ namespace geolloyd {
 /// per source, lie in the lanes of one vector, so that relaxing an arc for all sources costs about
 /// what it costs for one. Starts from upper bounds, which are nearly right where the sources are
 /// neighbours of a node whose distances are known.
-class LaneSearch {
+class SimdSearch {
  public:
   static constexpr std::size_t lanes = 8;
   using Vector [[gnu::vector_size(4 * lanes)]] = std::uint32_t;

@@ -1,4 +1,4 @@
-#include "parallel/engine/lane_search.h"
+#include "parallel/engine/simd_search.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,8 +14,8 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::size_t lanes = LaneSearch::lanes;
-using Vector = LaneSearch::Vector;
+constexpr std::size_t lanes = SimdSearch::lanes;
+using Vector = SimdSearch::Vector;
 
 // What the kernels work on, as plain pointers.
 struct Work {
@@ -24,7 +24,7 @@ struct Work {
   const std::uint32_t* length;
   const std::uint32_t* mass;
   std::size_t nodes;
-  LaneSearch::Lanes* at;  // per node
+  SimdSearch::Lanes* at;  // per node
   NodeId* queue;  // a ring with room for one more than all nodes: each is in it once at most
   std::uint8_t* is_queued;  // per node; all 0 before and after
 };
@@ -162,7 +162,7 @@ std::size_t nodes_a_block(const Work& w) {
 
 }  // namespace
 
-void LaneSearch::run(const Graph& graph, std::span<const NodeId> sources, const Bounds& bounds,
+void SimdSearch::run(const Graph& graph, std::span<const NodeId> sources, const Bounds& bounds,
                      std::span<const NodeId> order) {
   const std::size_t nodes = graph.node_count();
   if (is_queued_.size() < nodes) {  // the last to grow
@@ -184,7 +184,7 @@ void LaneSearch::run(const Graph& graph, std::span<const NodeId> sources, const 
                     order.data());
 }
 
-std::array<Score, LaneSearch::lanes> LaneSearch::scores(const Graph& graph) {
+std::array<Score, SimdSearch::lanes> SimdSearch::scores(const Graph& graph) {
   const Work work{graph.first_arc.data(), graph.target.data(), graph.length.data(),
                   graph.mass.data(),      graph.node_count(),  at_.data(),
                   queue_.data(),          is_queued_.data()};
