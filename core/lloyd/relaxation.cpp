@@ -173,7 +173,7 @@ class LloydLoop {
       result.seeds = next_.seeds;
     }
     if (!is_partitioned_) engine_.partition(result.seeds);
-    if (end != End::converged && lowest_score(result.steps) < total_score()) {
+    if (result.seeds != state_.best_seeds && lowest_score(result.steps) <= total_score()) {
       result.seeds = state_.best_seeds;
       engine_.partition(result.seeds);
     }

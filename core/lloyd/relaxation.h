@@ -59,6 +59,8 @@ struct RelaxationState {
   std::vector<Step> steps;          ///< taken so far
 };
 
+/// The result of a relaxation: the state of lowest score met, the earliest of equals. The states
+/// met are those at the start of each step, and the last one.
 struct Relaxation {
   std::vector<NodeId> seeds;
   Partition partition;  ///< of `seeds`, regions free
@@ -66,7 +68,9 @@ struct Relaxation {
   double energy = 0;  ///< sum of mass * distance^2, mesh units
   End end = End::converged;
   std::vector<Step> steps;
-  std::uint64_t fingerprint = 0;  ///< of the states at the start of each step, and of the last one
+  /// Chains the digests of the states at the start of each step, in their order, and at last that
+  /// of the result, even where the result is one of them.
+  std::uint64_t fingerprint = 0;
 };
 
 /// Where a relaxation stands: after each greedy step, and now and then during a macrostep.
@@ -84,8 +88,9 @@ using Observer = std::function<bool(const Progress&)>;
 using Boundary = std::function<void(const RelaxationState&)>;
 
 /// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
-/// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. Where it
-/// ends before it has converged, the result is the best state met.
+/// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. The result
+/// is the best state met, also where the relaxation converges: the greedy phase may raise the
+/// score.
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
                  const RelaxationOptions& options, const Observer& observer = {});
 

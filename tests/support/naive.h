@@ -206,4 +206,22 @@ inline History relax(const Graph& graph, std::vector<NodeId> seeds,
   return history;
 }
 
+/// Of all states of a history that of the lowest score, the first of equals.
+inline std::vector<NodeId> best_state(const Graph& graph, const History& history) {
+  std::vector<std::vector<NodeId>> states = history.greedy;
+  states.insert(states.end(), history.macro.begin(), history.macro.end());
+  states.push_back(history.last);
+  std::vector<NodeId> best;
+  Score lowest = 0;
+  for (const std::vector<NodeId>& seeds : states) {
+    const Partition p = partition(graph, seeds);
+    Score sum = 0;
+    for (RegionId r = 0; r < seeds.size(); ++r) sum += score(graph, p, r);
+    if (!best.empty() && sum >= lowest) continue;
+    best = seeds;
+    lowest = sum;
+  }
+  return best;
+}
+
 }  // namespace geolloyd::naive
