@@ -7,15 +7,13 @@
 
 #include "core/graph/graph.h"
 #include "core/lloyd/engine.h"
+#include "core/lloyd/greedy_mode.h"
 #include "core/voronoi/partition.h"
 
 namespace geolloyd {
 
-/// The greedy phase: left out, or with the standard or the extended heuristic (seed_move.h). The
-/// precise phase uses the same heuristic, the extended one where there is no greedy phase.
-enum class GreedyMode { off, standard, extended };
-
-/// Options of the relaxation, with the thesis's settings.
+/// Options of the relaxation, with the thesis's settings. Where it is known how the first seeds
+/// were chosen, suggested_greedy_mode() names a better `greedy`.
 struct RelaxationOptions {
   static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
 

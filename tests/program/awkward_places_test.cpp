@@ -118,7 +118,7 @@ const BadPlace bad_places[] = {
     {"FullForRelax", ":", "ulimit -f 16; $P relax torus.ply -k 4 -o out", "cannot write: File too large"},
     {"FullForAnotherRelax", "$P relax torus.ply -k 9 -o out >log", "ulimit -f 16; $P relax torus.ply -k 4 -o out", "cannot write: File too large"},
     {"FullForTheReportOnly", "$P generate torus -t 20 -o a.ply && $P relax a.ply -k 9 -o out", "ulimit -f 8; $P relax a.ply -k 4 -o out", "out/report.json: cannot write: File too large"},
-    {"FullForFrames", ":", "ulimit -f 2; $P relax torus.ply -k 4 -o out --frames f --size 200", "f/000-greedy.png: cannot write: File too large"},
+    {"FullForFrames", ":", "ulimit -f 2; $P relax torus.ply -k 4 -o out --frames f --size 200", "f/000-precise.png: cannot write: File too large"},
     {"FullForRender", ":", "ulimit -f 2; $P render torus.ply -o a.png --size 200", "a.png: cannot write: File too large"},
     {"FullForGenerate", ":", "ulimit -f 16; $P generate torus -t 2000 -o a.ply", "a.ply: cannot write: File too large"},
     {"FullForSubdivide", ":", "ulimit -f 16; $P subdivide torus.ply -s midpoint -o a.stl", "a.stl: cannot write: File too large"},

@@ -223,6 +223,7 @@ TEST_F(CheckpointTest, ThatCannotBeWrittenEndsNoRelaxation) {
   run.mesh_graph.graph = graph_;
   run.arguments.output = folder_.path() / "missing";
   run.arguments.checkpoint_seconds = 0;
+  run.arguments.greedy = "extended";  // as the relaxations of this fixture
   ResumableRelaxation relaxation(run, first_);
   Scheduler scheduler(1);
   ProgressLine progress;

@@ -200,8 +200,8 @@ TEST_F(Interruption, ResumesOnlyWhatItIsTheCheckpointOf) {
     ASSERT_TRUE(status == 0 || status == -SIGKILL) << status;
   }
   const std::string checkpoint = read_file(out("run") / "checkpoint.msgpack");
-  for (const std::string options :
-       {"--greedy off", "--random-seed 2", "-g triangle", "--norm linf", "--no-macrostep-skip"}) {
+  for (const std::string options : {"--greedy standard", "--random-seed 2", "-g triangle",
+                                    "--norm linf", "--no-macrostep-skip"}) {
     expect_complaint(geolloyd_with(command("run") + "--resume " + options),
                      "checkpoint.msgpack: is the checkpoint of ");
   }

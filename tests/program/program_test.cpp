@@ -43,7 +43,7 @@ TEST_F(Program, RelaxWritesAllItsResults) {
 }
 
 TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
-  ASSERT_EQ(relax("--seeds 20 --random-seed 7").status, 0);
+  ASSERT_EQ(relax("--seeds 20 --random-seed 7 --greedy extended").status, 0);
   const nlohmann::json report = report_in(out());
   EXPECT_EQ(report["fingerprint"].get<std::string>().size(), 16U);
   EXPECT_GT(report["energy"], 0);
@@ -129,21 +129,46 @@ TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
                                                 "--init kmeans++",
                                                 "--norm manhattan",
                                                 "--norm linf",
-                                                "--greedy off",
+                                                "--greedy extended",
                                                 "--greedy standard",
                                                 "--random-seed 2",
-                                                "--max-greedy-steps 3"};
+                                                "--greedy extended --max-greedy-steps 3"};
   for (const std::string& options : all_options) {
     const Outcome outcome = relax("--seeds 20 " + options);
     ASSERT_EQ(outcome.status, 0) << options << ": " << outcome.text;
     const nlohmann::json report = report_in(out());
     EXPECT_EQ(report["options"]["seeds"], 20) << options;
     EXPECT_EQ(report["end"], "converged") << options;
-    EXPECT_EQ(report["steps"]["greedy"] == 0, options == "--greedy off");
+    EXPECT_EQ(report["steps"]["greedy"] == 0, report["options"]["greedy"] == "off");
     EXPECT_TRUE(fingerprints.insert(report["fingerprint"].get<std::string>()).second) << options;
   }
   EXPECT_EQ(relax("--seeds 20 --no-macrostep-skip").status, 0);
   EXPECT_EQ(report_in(out())["options"]["macrostep_skip"], false);
+}
+
+TEST_F(Program, ChoosesTheGreedyModeByTheFirstSeeds) {
+  ASSERT_EQ(relax("--seeds 20 --init random", "earlier").status, 0);
+  const std::string file = "--seeds-file " + (out("earlier") / "seeds.csv").string();
+  const std::pair<std::string, std::string> rows[] = {
+      {"--seeds 20", "off"},
+      {"--seeds 20 --init farthest", "off"},
+      {"--seeds 20 --init kmeans++", "extended"},
+      {"--seeds 20 --init random-area", "extended"},
+      {"--seeds 20 --init random", "extended"},
+      {file, "extended"},
+  };
+  for (const auto& [seeds, mode] : rows) {
+    std::set<std::string> fingerprints;
+    for (const std::string& greedy :
+         std::vector<std::string>{"", " --greedy auto", " --greedy " + mode}) {
+      ASSERT_EQ(relax(seeds + greedy).status, 0) << seeds << greedy;
+      const nlohmann::json report = report_in(out());
+      EXPECT_EQ(report["options"]["greedy"], mode) << seeds << greedy;
+      EXPECT_EQ(report["steps"]["greedy"] == 0, mode == "off") << seeds << greedy;
+      fingerprints.insert(report["fingerprint"].get<std::string>());
+    }
+    EXPECT_EQ(fingerprints.size(), 1U) << seeds;
+  }
 }
 
 TEST_F(Program, GivesTheSameFingerprintAgainAndWithTheMicrostepsSearched) {

@@ -30,6 +30,13 @@ const std::vector<Named<GreedyMode>> greedy_mode_names = {
     {"extended", GreedyMode::extended},
 };
 
+const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names = {
+    {"auto", std::nullopt},
+    {"off", GreedyMode::off},
+    {"standard", GreedyMode::standard},
+    {"extended", GreedyMode::extended},
+};
+
 const std::vector<Named<SeedInit>> seed_init_names = {
     {"farthest", SeedInit::farthest},
     {"kmeans++", SeedInit::kmeans_plus_plus},

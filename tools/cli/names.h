@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ extern const std::vector<Named<Shape>> shape_names;
 extern const std::vector<Named<GraphKind>> graph_kind_names;
 extern const std::vector<Named<Norm>> norm_names;
 extern const std::vector<Named<GreedyMode>> greedy_mode_names;
+/// Those of --greedy: nothing leaves the choice to the program.
+extern const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names;
 extern const std::vector<Named<SeedInit>> seed_init_names;
 extern const std::vector<Named<End>> end_names;
 extern const std::vector<Named<Frontier>> frontier_names;

@@ -69,9 +69,10 @@ void add_metric_options(CLI::App& command, RelaxArguments& a) {
 }
 
 void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
-  one_of(
-      command.add_option("--greedy", a.greedy, "How the greedy phase judges a seed's neighbours"),
-      greedy_mode_names)
+  one_of(command.add_option("--greedy", a.greedy,
+                            "Greedy phase before the precise one: off, or how it judges a seed's\n"
+                            "neighbours. auto: off from farthest-point seeds, else extended"),
+         greedy_choice_names)
       ->capture_default_str()
       ->group(relaxation_group);
   command
@@ -166,9 +167,21 @@ void check_arguments(const RelaxArguments& a) {
   parse_size(a.size);
 }
 
+namespace {
+
+// Of seeds from a file nobody knows how they were chosen.
+GreedyMode greedy_mode(const RelaxArguments& a) {
+  const std::optional<GreedyMode> asked = value_of(greedy_choice_names, a.greedy);
+  if (asked) return *asked;
+  return a.seeds_file.empty() ? suggested_greedy_mode(value_of(seed_init_names, a.init))
+                              : GreedyMode::extended;
+}
+
+}  // namespace
+
 RelaxationOptions relaxation_options(const RelaxArguments& a) {
-  return {value_of(greedy_mode_names, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
-          a.max_greedy_steps, a.max_macrosteps};
+  return {greedy_mode(a), !a.no_microstep_skip, !a.no_macrostep_skip, a.max_greedy_steps,
+          a.max_macrosteps};
 }
 
 RemeshOptions remesh_options(const RelaxArguments& a) {

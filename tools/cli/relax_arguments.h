@@ -33,7 +33,7 @@ struct RelaxArguments {
   std::string graph = "vertex";
   std::string norm = "geodesic";
   std::filesystem::path vfield;
-  std::string greedy = "extended";
+  std::string greedy = "auto";
   bool no_microstep_skip = false;
   bool no_macrostep_skip = false;
   std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;

@@ -90,7 +90,7 @@ Json options_part(const RelaxArguments& a, std::size_t seeds) {
           {"seeds_file", path_or_null(a.seeds_file)},
           {"init", a.seeds_file.empty() ? Json(a.init) : Json(nullptr)},
           {"random_seed", a.random_seed},
-          {"greedy", a.greedy},
+          {"greedy", name_of(greedy_mode_names, relaxation_options(a).greedy)},
           {"microstep_skip", !a.no_microstep_skip},
           {"macrostep_skip", !a.no_macrostep_skip},
           {"max_greedy_steps", limit(a.max_greedy_steps)},

@@ -20,7 +20,7 @@ Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
 Json kernel_seconds_part(const KernelSeconds& seconds);
-/// What was asked for, but for the engine.
+/// The options in force, but for the engine's: of --greedy auto, the mode chosen.
 Json options_part(const RelaxArguments& arguments, std::size_t seeds);
 
 /// Not a number: null.
