@@ -171,6 +171,21 @@ TEST_F(Program, ChoosesTheGreedyModeByTheFirstSeeds) {
   }
 }
 
+TEST_F(Program, WarnsInOneLineWhereRegionsAreTooSmallForAGoodRemesh) {
+  const auto said = [this](const std::string& options) {  // on standard error
+    const Outcome outcome = run_shell("(" GEOLLOYD_PROGRAM " relax " + mesh_.string() + " -o " +
+                                      out().string() + " " + options + " >/dev/null)");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return outcome.text;
+  };
+  EXPECT_EQ(said("--seeds 101"),
+            mesh_.string() +
+                ": 1,000 nodes for 101 seeds: with fewer than 10 a seed the "
+                "remesh will be poor: subdivide the mesh, or use fewer seeds\n");
+  EXPECT_EQ(said("--seeds 100"), "");
+  EXPECT_EQ(said("--seeds 101 -g triangle"), "");
+}
+
 TEST_F(Program, GivesTheSameFingerprintAgainAndWithTheMicrostepsSearched) {
   std::set<std::string> fingerprints;
   for (const std::string options : {"", "", "--no-microstep-skip"}) {

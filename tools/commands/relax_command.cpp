@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "tools/cli/facts_text.h"
@@ -119,6 +121,19 @@ void print_summary(const RunRecord& run) {
   }
 }
 
+// A region of fewer nodes has hardly a neighbourhood for its seed to move in.
+void warn_of_few_nodes(const RunRecord& run, std::size_t seeds, ProgressLine& progress) {
+  constexpr std::size_t enough = 10;
+  const std::size_t nodes = run.mesh_graph.graph.node_count();
+  if (nodes >= enough * seeds) return;
+  progress.clear();
+  fmt::print(stderr,
+             "{}: {} for {}: with fewer than {} a seed the remesh will be poor: subdivide the "
+             "mesh, or use fewer seeds\n",
+             run.arguments.mesh.string(), counted(nodes, "node", "nodes"),
+             counted(seeds, "seed", "seeds"), enough);
+}
+
 void check_relax(const RelaxArguments& arguments) {
   check_arguments(arguments);
   const std::filesystem::path checkpoint = checkpoint_path(arguments);
@@ -143,7 +158,9 @@ void run_relax(const RelaxArguments& arguments) {
   run.arguments = arguments;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments);
-  ResumableRelaxation relaxation(run, prepare(run, scheduler, progress));
+  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
+  warn_of_few_nodes(run, seeds.size(), progress);
+  ResumableRelaxation relaxation(run, std::move(seeds));
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
   const auto engine = relaxation.relax(scheduler, progress);
