@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "core/remesh/dual_remedies.h"
+#include "core/remesh/seed_insertion.h"
 
 namespace geolloyd {
 namespace {

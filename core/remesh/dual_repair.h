@@ -24,7 +24,7 @@ DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph&
 /// What dualise() gives for seeds whose partition the engine has just found.
 using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
 
-/// Adds seeds where the dual has obstacles (dual_remedies.h), until it has none or nothing more can
+/// Adds seeds where the dual has obstacles (seed_insertion.h), until it has none or nothing more can
 /// be added. Then these seeds and those around them move toward the centroids of their regions, as
 /// far as no obstacle comes back. The seeds that were there stay the first ones, in their order.
 /// `engine` works on mesh_graph's graph; `keep_going` is asked now and then, and ends it with what

@@ -11,7 +11,7 @@
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/remesh/dual_remedies.h"
+#include "core/remesh/seed_insertion.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
 #include "core/seeds/seeds.h"

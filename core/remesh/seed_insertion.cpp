@@ -1,4 +1,4 @@
-#include "core/remesh/dual_remedies.h"
+#include "core/remesh/seed_insertion.h"
 
 #include <algorithm>
 #include <map>
