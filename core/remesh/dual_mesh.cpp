@@ -44,9 +44,9 @@ struct Shape {
   }
 };
 
-class Dualising {
+class DualBuilder {
  public:
-  Dualising(const RegionSurface& surface, const SurfaceScan& scan)
+  DualBuilder(const RegionSurface& surface, const SurfaceScan& scan)
       : surface_(surface), shapes_(surface.region_count) {
     for (std::size_t r = 0; r < shapes_.size(); ++r) {
       shapes_[r].doubled_euler = scan.doubled_euler[r];
@@ -55,9 +55,9 @@ class Dualising {
   }
 
   DualMesh run() {
-    visit_odd_edges();
+    visit_irregular_edges();
     collect_triangles();
-    find_obstacles();
+    find_violations();
     return std::move(dual_);
   }
 
@@ -81,9 +81,9 @@ class Dualising {
   }
 
   // Every edge has been counted half for each of its triangles.
-  void visit_odd_edges() {
+  void visit_irregular_edges() {
     std::vector<VertexId> outer;
-    for (const OddEdge& edge : surface_.odd_edges) {
+    for (const IrregularEdge& edge : surface_.irregular_edges) {
       const RegionId a = region(edge.ends[0]);
       const RegionId b = region(edge.ends[1]);
       const std::int64_t missing = 2 - static_cast<std::int64_t>(edge.triangles);
@@ -127,22 +127,24 @@ class Dualising {
     return {region(t[0]), region(t[1]), region(t[2])};
   }
 
-  void find_obstacles() {
+  void find_violations() {
     for (RegionId r = 0; r < shapes_.size(); ++r) {
-      if (!shapes_[r].is_disc()) add(ObstacleKind::region, {r, no_id, no_id});
+      if (!shapes_[r].is_disc()) add(ViolationKind::region, {r, no_id, no_id});
     }
     for (const auto& [pair, contact] : contacts_) {
-      if (!contact.is_simple()) add(ObstacleKind::contact, {pair[0], pair[1], no_id});
+      if (!contact.is_simple()) add(ViolationKind::contact, {pair[0], pair[1], no_id});
     }
     for (const auto& [triple, places] : corners_) {
-      if (places.size() > 1) add(ObstacleKind::triple, triple);
+      if (places.size() > 1) add(ViolationKind::triple, triple);
     }
     for (RegionId r = 0; r < shapes_.size(); ++r) {
-      if (!shapes_[r].has_corner) add(ObstacleKind::isolation, {r, no_id, no_id});
+      if (!shapes_[r].has_corner) add(ViolationKind::isolation, {r, no_id, no_id});
     }
   }
 
-  void add(ObstacleKind kind, const Triple& regions) { dual_.obstacles.push_back({kind, regions}); }
+  void add(ViolationKind kind, const Triple& regions) {
+    dual_.violations.push_back({kind, regions});
+  }
 
   const RegionSurface& surface_;
   std::vector<Shape> shapes_;  // per region
@@ -153,13 +155,14 @@ class Dualising {
 
 }  // namespace
 
-std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind) {
-  return static_cast<std::size_t>(std::count_if(
-      obstacles.begin(), obstacles.end(), [kind](const Obstacle& o) { return o.kind == kind; }));
+std::size_t count(std::span<const ClosedBallViolation> violations, ViolationKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(violations.begin(), violations.end(),
+                    [kind](const ClosedBallViolation& v) { return v.kind == kind; }));
 }
 
 DualMesh make_dual(const RegionSurface& surface, Executor& executor) {
-  return Dualising(surface, scan_surface(surface, executor)).run();
+  return DualBuilder(surface, scan_surface(surface, executor)).run();
 }
 
 }  // namespace geolloyd

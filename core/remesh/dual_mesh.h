@@ -11,8 +11,8 @@
 
 namespace geolloyd {
 
-/// What keeps the dual of a tessellation from being the surface over again.
-enum class ObstacleKind {
+/// Where a tessellation lacks the closed ball property (DualMesh, below).
+enum class ViolationKind {
   region,    ///< not a disc, or cut up by the surface's boundary
   contact,   ///< two regions that do not meet along one curve with two ends, or meet at the
              ///< boundary more than once
@@ -20,15 +20,15 @@ enum class ObstacleKind {
   isolation  ///< a region that no corner touches
 };
 
-struct Obstacle {
-  ObstacleKind kind = ObstacleKind::region;
+struct ClosedBallViolation {
+  ViolationKind kind = ViolationKind::region;
   std::array<RegionId, 3> regions = {no_id, no_id, no_id};  ///< whose it is; the first ones
 };
 
 /// The dual of a tessellation: vertex r stands for region r, a triangle for each corner at which
 /// three regions meet, with the orientation of the surface there.
 ///
-/// Where there are no obstacles it is homeomorphic to the surface: all regions, the curves where
+/// Where there are no violations it is homeomorphic to the surface: all regions, the curves where
 /// two meet and the corners where three meet are balls, and so are their intersections with the
 /// boundary (the closed ball property; Edelsbrunner and Shah 1997).
 struct DualMesh {
@@ -36,10 +36,10 @@ struct DualMesh {
   std::vector<std::uint32_t> corner;  ///< per triangle: the surface's triangle it came from
   std::size_t repeated = 0;           ///< corners left out because their triangle was there
   std::size_t folded = 0;             ///< triangles that lie on another of opposite orientation
-  std::vector<Obstacle> obstacles;    ///< by kind, then regions ascending
+  std::vector<ClosedBallViolation> violations;  ///< by kind, then regions ascending
 };
 
-std::size_t count(std::span<const Obstacle> obstacles, ObstacleKind kind);
+std::size_t count(std::span<const ClosedBallViolation> violations, ViolationKind kind);
 
 DualMesh make_dual(const RegionSurface& surface, Executor& executor = sequential());
 

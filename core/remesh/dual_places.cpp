@@ -42,7 +42,7 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
                              const std::vector<Vec3>& site) {
   std::map<VertexId, std::vector<VertexId>> beside;  // along the boundary
-  for (const OddEdge& edge : surface.odd_edges) {
+  for (const IrregularEdge& edge : surface.irregular_edges) {
     if (edge.triangles != 1) continue;
     beside[edge.ends[0]].push_back(edge.ends[1]);
     beside[edge.ends[1]].push_back(edge.ends[0]);
@@ -59,7 +59,7 @@ std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
     }
     outer[r].offer(p, site[r], cosine);
   }
-  for (const OddEdge& edge : surface.odd_edges) {
+  for (const IrregularEdge& edge : surface.irregular_edges) {
     const auto [a, b] = edge.ends;
     const RegionId r = surface.region[a];
     if (edge.triangles != 1 || r != surface.region[b]) continue;

@@ -9,10 +9,10 @@
 namespace geolloyd {
 namespace {
 
-class Repairing {
+class RepairedDual {
  public:
-  Repairing(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
-            DualisedSeeds flawed, const std::function<bool()>& keep_going)
+  RepairedDual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
+               DualisedSeeds flawed, const std::function<bool()>& keep_going)
       : mesh_graph_(mesh_graph),
         engine_(engine),
         dualise_(dualise),
@@ -21,11 +21,11 @@ class Repairing {
 
   DualisedSeeds run() {
     const std::size_t given = result_.seeds.size();
-    while (!result_.dual.obstacles.empty() && keep_going_()) {
+    while (!result_.dual.violations.empty() && keep_going_()) {
       if (!add_seeds()) break;
       dualise_seeds();
     }
-    if (result_.seeds.size() > given && result_.dual.obstacles.empty()) settle(given);
+    if (result_.seeds.size() > given && result_.dual.violations.empty()) settle(given);
     return std::move(result_);
   }
 
@@ -35,20 +35,20 @@ class Repairing {
     result_ = dualise_(std::move(result_.seeds));
   }
 
-  // Those of one obstacle, but no two obstacles that concern the same region: one seed may mend
+  // Those of one violation, but no two violations that concern the same region: one seed may mend
   // both.
   bool add_seeds() {
     constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
     std::vector<std::array<RegionId, 3>> taken_by(result_.seeds.size(), nobody);
-    for (const Remedy& remedy : find_remedies(result_.surface, result_.dual)) {
+    for (const SeedInsertion& insertion : find_seed_insertions(result_.surface, result_.dual)) {
       const auto is_open = [&](RegionId r) {
-        return r == no_id || taken_by[r] == nobody || taken_by[r] == remedy.regions;
+        return r == no_id || taken_by[r] == nobody || taken_by[r] == insertion.regions;
       };
-      if (!std::all_of(remedy.regions.begin(), remedy.regions.end(), is_open)) continue;
-      for (const RegionId r : remedy.regions) {
-        if (r != no_id) taken_by[r] = remedy.regions;
+      if (!std::all_of(insertion.regions.begin(), insertion.regions.end(), is_open)) continue;
+      for (const RegionId r : insertion.regions) {
+        if (r != no_id) taken_by[r] = insertion.regions;
       }
-      const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, remedy.point);
+      const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, insertion.point);
       const auto added = std::span(result_.seeds).subspan(taken_by.size());
       if (std::find(added.begin(), added.end(), node) == added.end()) result_.seeds.push_back(node);
     }
@@ -56,7 +56,7 @@ class Repairing {
   }
 
   // Moves the seeds from `first_new` on, and those of the regions they border on, toward the
-  // centroids of their regions. Seeds whose moving brings obstacles back stay.
+  // centroids of their regions. Seeds whose moving brings violations back stay.
   void settle(std::size_t first_new) {
     constexpr int attempts = 4;
     std::vector<std::uint8_t> keeps_seed = far_from(first_new);
@@ -68,12 +68,12 @@ class Repairing {
       if (moved == result_.seeds) return;
       engine_.partition(moved);
       DualisedSeeds settled = dualise_(std::move(moved));
-      if (settled.dual.obstacles.empty()) {
+      if (settled.dual.violations.empty()) {
         result_ = std::move(settled);
         continue;
       }
-      for (const Obstacle& obstacle : settled.dual.obstacles) {
-        for (const RegionId r : obstacle.regions) {
+      for (const ClosedBallViolation& violation : settled.dual.violations) {
+        for (const RegionId r : violation.regions) {
           if (r != no_id) keeps_seed[r] = 1;
         }
       }
@@ -113,14 +113,14 @@ class Repairing {
 DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
                       const Partition& partition, std::vector<NodeId> seeds) {
   DualisedSeeds result{std::move(seeds), {}, {}};
-  result.surface = spread_regions(mesh, edges, mesh_graph, partition, result.seeds.size());
+  result.surface = make_region_surface(mesh, edges, mesh_graph, partition, result.seeds.size());
   result.dual = make_dual(result.surface);
   return result;
 }
 
 DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
                           DualisedSeeds flawed, const std::function<bool()>& keep_going) {
-  return Repairing(mesh_graph, engine, dualise, std::move(flawed), keep_going).run();
+  return RepairedDual(mesh_graph, engine, dualise, std::move(flawed), keep_going).run();
 }
 
 }  // namespace geolloyd

@@ -24,11 +24,11 @@ DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph&
 /// What dualise() gives for seeds whose partition the engine has just found.
 using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
 
-/// Adds seeds where the dual has obstacles (seed_insertion.h), until it has none or nothing more can
-/// be added. Then these seeds and those around them move toward the centroids of their regions, as
-/// far as no obstacle comes back. The seeds that were there stay the first ones, in their order.
-/// `engine` works on mesh_graph's graph; `keep_going` is asked now and then, and ends it with what
-/// it has come to.
+/// Adds seeds where the dual has violations (seed_insertion.h), until it has none or nothing more
+/// can be added. Then these seeds and those around them move toward the centroids of their regions,
+/// as far as no violation comes back. The seeds that were there stay the first ones, in their
+/// order. `engine` works on mesh_graph's graph; `keep_going` is asked now and then, and ends it
+/// with what it has come to.
 DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
                           DualisedSeeds flawed, const std::function<bool()>& keep_going);
 

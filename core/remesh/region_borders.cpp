@@ -24,7 +24,7 @@ class Borders {
     constexpr int passes = 6;
     for (int pass = 0; pass < passes; ++pass) smooth();
     for (const Piece& piece : pieces_) measure(piece);
-    for (const OddEdge& edge : surface_.odd_edges) {
+    for (const IrregularEdge& edge : surface_.irregular_edges) {
       if (edge.triangles == 1) follow_boundary(edge.ends[0], edge.ends[1]);
     }
     return std::move(length_);

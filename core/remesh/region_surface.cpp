@@ -11,10 +11,10 @@
 namespace geolloyd {
 namespace {
 
-class Spreading {
+class RegionSurfaceBuilder {
  public:
-  Spreading(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-            const Partition& partition, std::size_t region_count)
+  RegionSurfaceBuilder(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
+                       const Partition& partition, std::size_t region_count)
       : mesh_(mesh), edges_(edges), mesh_graph_(mesh_graph), partition_(partition) {
     surface_.vertex_count = mesh.vertex_count();
     surface_.region_count = region_count;
@@ -35,12 +35,12 @@ class Spreading {
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto count = static_cast<std::uint32_t>(edges_.corners(e).size());
-      if (count != 2) surface_.odd_edges.push_back({edges_.ends[e], count});
+      if (count != 2) surface_.irregular_edges.push_back({edges_.ends[e], count});
     }
     leave_out_unreached();
     // Arcs of the two other graphs are edges of the triangulation.
     if (mesh_graph_.kind != GraphKind::vertex && mesh_graph_.kind != GraphKind::triangle) {
-      give_fragments();
+      reassign_fragments();
     }
     return std::move(surface_);
   }
@@ -51,7 +51,7 @@ class Spreading {
       return surface_.region[t[0]] == no_id || surface_.region[t[1]] == no_id ||
              surface_.region[t[2]] == no_id;
     });
-    std::erase_if(surface_.odd_edges, [this](const OddEdge& edge) {
+    std::erase_if(surface_.irregular_edges, [this](const IrregularEdge& edge) {
       return surface_.region[edge.ends[0]] == no_id || surface_.region[edge.ends[1]] == no_id;
     });
   }
@@ -121,7 +121,7 @@ class Spreading {
   }
 
   // What has lost touch with its seed goes to neighbours, nearest first.
-  void give_fragments() {
+  void reassign_fragments() {
     const std::vector<std::uint8_t> is_held = find_held();
     std::unordered_map<PointId, std::vector<PointId>> neighbours;  // of those not held
     for (const Triangle& t : surface_.triangles) {
@@ -148,14 +148,14 @@ class Spreading {
       if (found == neighbours.end()) continue;
       surface_.region[point] = region;
       surface_.distance[point] = distance;
-      surface_.given.push_back(point);
+      surface_.reassigned_points.push_back(point);
       const std::vector<PointId> around = std::move(found->second);
       neighbours.erase(found);
       for (const PointId n : around) {
         if (neighbours.contains(n)) offer(point, n);
       }
     }
-    std::sort(surface_.given.begin(), surface_.given.end());
+    std::sort(surface_.reassigned_points.begin(), surface_.reassigned_points.end());
   }
 
   // Per point, whether edges of the triangulation join it to its region's seed. Points on no
@@ -208,9 +208,10 @@ NodeId node_at(const MeshGraph& mesh_graph, std::size_t vertex_count, PointId po
   return point < vertex_count ? no_id : mesh_graph.node_of[point - vertex_count];
 }
 
-RegionSurface spread_regions(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                             const Partition& partition, std::size_t region_count) {
-  return Spreading(mesh, edges, mesh_graph, partition, region_count).run();
+RegionSurface make_region_surface(const Mesh& mesh, const MeshEdges& edges,
+                                  const MeshGraph& mesh_graph, const Partition& partition,
+                                  std::size_t region_count) {
+  return RegionSurfaceBuilder(mesh, edges, mesh_graph, partition, region_count).run();
 }
 
 }  // namespace geolloyd

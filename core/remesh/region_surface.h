@@ -17,7 +17,7 @@ namespace geolloyd {
 using PointId = std::uint32_t;
 
 /// A mesh edge that does not have two triangles.
-struct OddEdge {
+struct IrregularEdge {
   std::array<VertexId, 2> ends;
   std::uint32_t triangles;
 };
@@ -40,14 +40,15 @@ struct RegionSurface {
   std::vector<RegionId> region;       ///< per point; no_id where it is on no triangle
   std::vector<double> distance;       ///< per point, to its seed, mesh units
   std::vector<PointId> nearest_node;  ///< per point below first_node: the point it got these from
-  std::vector<OddEdge> odd_edges;     ///< ascending
-  std::vector<PointId> given;         ///< points that went to another region than their node's
+  std::vector<IrregularEdge> irregular_edges;  ///< ascending
+  std::vector<PointId> reassigned_points;  ///< points that went to another region than their node's
 
   [[nodiscard]] Vec3 position(const Mesh& mesh, PointId point) const;
 };
 
-RegionSurface spread_regions(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                             const Partition& partition, std::size_t region_count);
+RegionSurface make_region_surface(const Mesh& mesh, const MeshEdges& edges,
+                                  const MeshGraph& mesh_graph, const Partition& partition,
+                                  std::size_t region_count);
 
 /// The point that a node is.
 PointId point_of(const MeshGraph& mesh_graph, std::size_t vertex_count, NodeId node);

@@ -57,37 +57,37 @@ class Curves {
   std::vector<std::pair<Edge, Edge>> joints_;
 };
 
-class Searching {
+class InsertionFinder {
  public:
-  Searching(const RegionSurface& surface, const DualMesh& dual)
+  InsertionFinder(const RegionSurface& surface, const DualMesh& dual)
       : surface_(surface), dual_(dual), farthest_(surface.region_count, no_id) {}
 
-  std::vector<Remedy> run() {
+  std::vector<SeedInsertion> run() {
     for (PointId p = 0; p < surface_.region.size(); ++p) {
       if (region(p) != no_id) improve(farthest_[region(p)], p);
     }
     gather();
-    for (const Obstacle& obstacle : dual_.obstacles) {
-      const std::size_t before = remedies_.size();
-      switch (obstacle.kind) {
-        case ObstacleKind::region:
-          close_loops(obstacle);
-          part_boundaries(obstacle);
+    for (const ClosedBallViolation& violation : dual_.violations) {
+      const std::size_t before = insertions_.size();
+      switch (violation.kind) {
+        case ViolationKind::region:
+          close_loops(violation);
+          part_boundaries(violation);
           break;
-        case ObstacleKind::contact:
-          part_contact(obstacle);
+        case ViolationKind::contact:
+          part_contact(violation);
           break;
-        case ObstacleKind::triple:
-          add(obstacle, farthest_at_corners(obstacle));
+        case ViolationKind::triple:
+          add(violation, farthest_at_corners(violation));
           break;
-        case ObstacleKind::isolation:
+        case ViolationKind::isolation:
           break;
       }
-      for (const RegionId r : obstacle.regions) {
-        if (remedies_.size() == before && r != no_id) add(obstacle, farthest_[r]);
+      for (const RegionId r : violation.regions) {
+        if (insertions_.size() == before && r != no_id) add(violation, farthest_[r]);
       }
     }
-    return std::move(remedies_);
+    return std::move(insertions_);
   }
 
  private:
@@ -109,17 +109,17 @@ class Searching {
     if (is_open(p) && (best == no_id || is_farther(p, best))) best = p;
   }
 
-  void add(const Obstacle& obstacle, PointId point) {
-    if (point != no_id) remedies_.push_back({obstacle.regions, node_near(point)});
+  void add(const ClosedBallViolation& violation, PointId point) {
+    if (point != no_id) insertions_.push_back({violation.regions, node_near(point)});
   }
 
-  // What the obstacles are about: edges within regions, borders, and boundary.
+  // What the violations are about: edges within regions, borders, and boundary.
   void gather() {
     std::vector<bool> is_asked(surface_.region_count, false);
-    for (const Obstacle& o : dual_.obstacles) {
-      if (o.kind == ObstacleKind::region) is_asked[o.regions[0]] = true;
-      if (o.kind == ObstacleKind::contact) contacts_[{o.regions[0], o.regions[1]}];
-      if (o.kind == ObstacleKind::triple) corners_[o.regions];
+    for (const ClosedBallViolation& o : dual_.violations) {
+      if (o.kind == ViolationKind::region) is_asked[o.regions[0]] = true;
+      if (o.kind == ViolationKind::contact) contacts_[{o.regions[0], o.regions[1]}];
+      if (o.kind == ViolationKind::triple) corners_[o.regions];
     }
     for (std::uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const Triangle& t = surface_.triangles[i];
@@ -175,8 +175,8 @@ class Searching {
   // A tree of the nearest edges spans the region's points, a tree across the farthest of the others
   // its triangles and all that is outside; what is left closes one loop each that nothing fills
   // (tree and cotree: Erickson and Whittlesey 2005).
-  void close_loops(const Obstacle& obstacle) {
-    std::vector<InnerEdge>& edges = within_[obstacle.regions[0]];
+  void close_loops(const ClosedBallViolation& violation) {
+    std::vector<InnerEdge>& edges = within_[violation.regions[0]];
     merge(edges);
     std::sort(edges.begin(), edges.end(), [this](const InnerEdge& a, const InnerEdge& b) {
       return std::tuple(later(a.ends), a.ends) < std::tuple(later(b.ends), b.ends);
@@ -201,9 +201,9 @@ class Searching {
     DisjointSets cotree(faces.size());
     for (const InnerEdge& e : others) {
       if (cotree.unite(faces[e.triangle[0]], faces[e.triangle[1]])) continue;
-      PointId remedy = no_id;
-      for (const PointId p : e.ends) improve(remedy, p);
-      add(obstacle, remedy);
+      PointId insertion = no_id;
+      for (const PointId p : e.ends) improve(insertion, p);
+      add(violation, insertion);
     }
   }
 
@@ -212,24 +212,24 @@ class Searching {
     return std::max(surface_.distance[e[0]], surface_.distance[e[1]]);
   }
 
-  void part_boundaries(const Obstacle& obstacle) {
+  void part_boundaries(const ClosedBallViolation& violation) {
     Curves curves;
-    for (const OddEdge& edge : surface_.odd_edges) {
+    for (const IrregularEdge& edge : surface_.irregular_edges) {
       if (edge.triangles != 1) continue;
       for (const VertexId v : edge.ends) {
-        if (region(v) == obstacle.regions[0]) curves.add({v, v});
+        if (region(v) == violation.regions[0]) curves.add({v, v});
       }
-      if (region(edge.ends[0]) == obstacle.regions[0] &&
-          region(edge.ends[1]) == obstacle.regions[0]) {
+      if (region(edge.ends[0]) == violation.regions[0] &&
+          region(edge.ends[1]) == violation.regions[0]) {
         curves.join({edge.ends[0], edge.ends[0]}, {edge.ends[1], edge.ends[1]});
       }
     }
-    add(obstacle, farthest_of_nearest(curves));
+    add(violation, farthest_of_nearest(curves));
   }
 
-  void part_contact(const Obstacle& obstacle) {
-    const Curves& curves = contacts_.at({obstacle.regions[0], obstacle.regions[1]});
-    add(obstacle, farthest_of_nearest(curves));
+  void part_contact(const ClosedBallViolation& violation) {
+    const Curves& curves = contacts_.at({violation.regions[0], violation.regions[1]});
+    add(violation, farthest_of_nearest(curves));
   }
 
   // Of each curve the point nearest to its seed, of these the farthest; no_id where none has room
@@ -247,9 +247,9 @@ class Searching {
     return farthest;
   }
 
-  [[nodiscard]] PointId farthest_at_corners(const Obstacle& obstacle) const {
+  [[nodiscard]] PointId farthest_at_corners(const ClosedBallViolation& violation) const {
     PointId farthest = no_id;
-    for (const std::uint32_t i : corners_.at(obstacle.regions)) {
+    for (const std::uint32_t i : corners_.at(violation.regions)) {
       for (const PointId p : surface_.triangles[i]) improve(farthest, p);
     }
     return farthest;
@@ -261,13 +261,14 @@ class Searching {
   std::map<RegionId, std::vector<InnerEdge>> within_;
   std::map<Pair, Curves> contacts_;
   std::map<std::array<RegionId, 3>, std::vector<std::uint32_t>> corners_;
-  std::vector<Remedy> remedies_;
+  std::vector<SeedInsertion> insertions_;
 };
 
 }  // namespace
 
-std::vector<Remedy> find_remedies(const RegionSurface& surface, const DualMesh& dual) {
-  return Searching(surface, dual).run();
+std::vector<SeedInsertion> find_seed_insertions(const RegionSurface& surface,
+                                                const DualMesh& dual) {
+  return InsertionFinder(surface, dual).run();
 }
 
 }  // namespace geolloyd

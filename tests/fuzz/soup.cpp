@@ -38,10 +38,10 @@ Scheduler& scheduler_of(const Soup& soup) {
 }
 
 bool same_dual(const DualMesh& a, const DualMesh& b) {
-  const auto same_obstacles = [&] {
-    for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
-      if (a.obstacles[i].kind != b.obstacles[i].kind ||
-          a.obstacles[i].regions != b.obstacles[i].regions) {
+  const auto same_violations = [&] {
+    for (std::size_t i = 0; i < a.violations.size(); ++i) {
+      if (a.violations[i].kind != b.violations[i].kind ||
+          a.violations[i].regions != b.violations[i].regions) {
         return false;
       }
     }
@@ -49,7 +49,7 @@ bool same_dual(const DualMesh& a, const DualMesh& b) {
   };
   return same_bytes(a.triangles, b.triangles) && same_bytes(a.corner, b.corner) &&
          a.repeated == b.repeated && a.folded == b.folded &&
-         a.obstacles.size() == b.obstacles.size() && same_obstacles();
+         a.violations.size() == b.violations.size() && same_violations();
 }
 
 MeshEdges make_edges(const Mesh& mesh, Scheduler& scheduler) {
@@ -133,7 +133,7 @@ void require_surface_over_again(const Mesh& remesh, const Mesh& mesh, const Mesh
   if (!wanted.is_manifold()) return;
   const MeshTopology found = find_topology(remesh, find_edges(remesh));
   require(found.is_manifold() && is_manifold(remesh.triangles),
-          "a dual without obstacles of a manifold is a manifold");
+          "a dual without violations of a manifold is a manifold");
   require(found.parts == wanted.parts, "it has the topology of the input");
   require(wanted.inconsistent_edges > 0 || found.inconsistent_edges == 0,
           "it is oriented where the input is");
@@ -174,7 +174,7 @@ void remesh(const Soup& soup, const MeshEdges& edges, const MeshGraph& made, Eng
     for (const double length : border_lengths(soup.mesh, dualised->surface)) {
       require(std::isfinite(length) && length >= 0, "borders have lengths");
     }
-    if (dualised->dual.obstacles.empty()) require_surface_over_again(remesh, soup.mesh, edges);
+    if (dualised->dual.violations.empty()) require_surface_over_again(remesh, soup.mesh, edges);
     require_quality(remesh);
   }
 }

@@ -90,7 +90,7 @@ TEST_F(Program, TellsWhyTheRemeshIsNoManifold) {
   const nlohmann::json told = report_in(out())["remesh"];
   EXPECT_EQ(told["is_manifold_of_input_topology"], false);
   EXPECT_NE(told["flaw"].get<std::string>().find("--no-manifold"), std::string::npos);
-  EXPECT_EQ(told["obstacles_found"], told["obstacles_left"]);
+  EXPECT_EQ(told["closed_ball_violations_found"], told["closed_ball_violations_left"]);
   EXPECT_EQ(read_mesh(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
 }
 

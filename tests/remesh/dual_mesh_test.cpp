@@ -11,9 +11,9 @@
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/remesh/seed_insertion.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
+#include "core/remesh/seed_insertion.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
 #include "tests/support/graph_kinds.h"
@@ -153,23 +153,23 @@ TEST(Dual, OfAllVerticesIsTheMesh) {
     Ground ground(mesh, GraphKind::vertex);
     std::vector<NodeId> seeds = ground.mesh_graph.node_of;  // region r is vertex r
     const DualisedSeeds dualised = ground.dualise(seeds);
-    EXPECT_TRUE(dualised.dual.obstacles.empty());
+    EXPECT_TRUE(dualised.dual.violations.empty());
     EXPECT_EQ(rotated(dualised.dual.triangles), rotated(mesh.triangles));
     EXPECT_EQ(ground.remesh(dualised).positions, mesh.positions);
   }
 }
 
-TEST(Dual, NamesTheObstaclesOfTooFewSeedsOnASphere) {
+TEST(Dual, NamesTheViolationsOfTooFewSeedsOnASphere) {
   for (const GraphKind kind : all_kinds) {
     Ground ground(icosphere(320), kind);
-    const auto count_of = [&](std::size_t seeds, ObstacleKind obstacle) {
-      return count(ground.dualise(ground.choose(seeds)).dual.obstacles, obstacle);
+    const auto count_of = [&](std::size_t seeds, ViolationKind violation) {
+      return count(ground.dualise(ground.choose(seeds)).dual.violations, violation);
     };
-    EXPECT_EQ(count_of(1, ObstacleKind::region), 1U);
-    EXPECT_EQ(count_of(1, ObstacleKind::isolation), 1U);
-    EXPECT_EQ(count_of(2, ObstacleKind::region), 0U);
-    EXPECT_EQ(count_of(2, ObstacleKind::contact), 1U);
-    EXPECT_EQ(count_of(2, ObstacleKind::isolation), 2U);
+    EXPECT_EQ(count_of(1, ViolationKind::region), 1U);
+    EXPECT_EQ(count_of(1, ViolationKind::isolation), 1U);
+    EXPECT_EQ(count_of(2, ViolationKind::region), 0U);
+    EXPECT_EQ(count_of(2, ViolationKind::contact), 1U);
+    EXPECT_EQ(count_of(2, ViolationKind::isolation), 2U);
   }
   // Three longitudes meet at both poles: a triangle and its back.
   Ground ground(icosphere(320), GraphKind::vertex);
@@ -184,13 +184,13 @@ TEST(Dual, NamesTheObstaclesOfTooFewSeedsOnASphere) {
         ground.mesh_graph.node_of[static_cast<std::size_t>(nearest - positions.begin())]);
   }
   const DualMesh dual = ground.dualise(seeds).dual;
-  EXPECT_EQ(count(dual.obstacles, ObstacleKind::triple), 1U);
-  EXPECT_EQ(dual.obstacles.size(), 1U);
+  EXPECT_EQ(count(dual.violations, ViolationKind::triple), 1U);
+  EXPECT_EQ(dual.violations.size(), 1U);
   EXPECT_EQ(dual.triangles.size(), 2U);
   EXPECT_EQ(dual.folded, 1U);
 }
 
-TEST(Dual, WithoutObstaclesIsTheSurfaceOverAgain) {
+TEST(Dual, WithoutViolationsIsTheSurfaceOverAgain) {
   std::size_t clear = 0;
   for (const Mesh& mesh : {irregular_plane(600, 1), icosphere(320), torus(600, 1), tube(20)}) {
     for (const GraphKind kind : all_kinds) {
@@ -198,7 +198,7 @@ TEST(Dual, WithoutObstaclesIsTheSurfaceOverAgain) {
       for (std::uint64_t random_seed = 0; random_seed < 12; ++random_seed) {
         const std::size_t seeds = 3 + random_number(random_seed, 0, 50);
         const DualisedSeeds dualised = ground.dualise(ground.choose(seeds, random_seed));
-        if (!dualised.dual.obstacles.empty()) continue;
+        if (!dualised.dual.violations.empty()) continue;
         ++clear;
         EXPECT_EQ(dualised.dual.repeated + dualised.dual.folded, 0U);
         expect_same_topology(ground.remesh(dualised), mesh);
@@ -219,7 +219,7 @@ TEST_P(Repair, MakesAManifoldOfTheSameTopologyFromAnySeeds) {
       if (count > ground.mesh_graph.graph.node_count() / 2) continue;
       const std::vector<NodeId> seeds = ground.choose(count, count);
       const DualisedSeeds repaired = ground.repair(seeds);
-      EXPECT_TRUE(repaired.dual.obstacles.empty()) << count;
+      EXPECT_TRUE(repaired.dual.violations.empty()) << count;
       std::vector<NodeId> sorted = repaired.seeds;
       std::sort(sorted.begin(), sorted.end());
       EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
@@ -234,7 +234,7 @@ TEST_P(Repair, WhateverTheOrientations) {
     for (std::uint64_t random_seed = 0; random_seed < 10; ++random_seed) {
       const DualisedSeeds repaired =
           ground.repair(ground.choose(3 + random_number(random_seed, 0, 60), random_seed));
-      EXPECT_TRUE(repaired.dual.obstacles.empty()) << random_seed;
+      EXPECT_TRUE(repaired.dual.violations.empty()) << random_seed;
       expect_same_topology(ground.remesh(repaired), mesh);
     }
   }
@@ -251,7 +251,7 @@ TEST_P(Repair, LeavesOutWhatNoSeedReaches) {
     if (ground.mesh_graph.position[v].x() < 2) seeds.push_back(v);
   }
   const DualisedSeeds repaired = ground.repair(seeds);
-  EXPECT_TRUE(repaired.dual.obstacles.empty());
+  EXPECT_TRUE(repaired.dual.violations.empty());
   expect_same_topology(ground.remesh(repaired), sphere);
 }
 
@@ -259,7 +259,7 @@ TEST_P(Repair, GivesUpWhereThereAreNoNodesLeft) {
   Ground ground({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, GetParam());
   const DualisedSeeds repaired = ground.repair(ground.choose(1));
   // Three vertices suffice for a triangle; one node in the middle of it does not.
-  EXPECT_EQ(repaired.dual.obstacles.empty(), has_vertices(GetParam()));
+  EXPECT_EQ(repaired.dual.violations.empty(), has_vertices(GetParam()));
 }
 
 TEST_P(Repair, StopsWhenAsked) {
@@ -285,14 +285,15 @@ TEST_P(Repair, SurvivesWhatIsNoManifold) {
   }
 }
 
-TEST_P(Repair, RemediesAreNodesAndNoSeeds) {
+TEST_P(Repair, InsertionsAreNodesAndNoSeeds) {
   Ground ground(torus(600, 1), GetParam());
   for (const std::size_t count : {1U, 2U, 4U, 8U}) {
     const DualisedSeeds dualised = ground.dualise(ground.choose(count));
-    const std::vector<Remedy> remedies = find_remedies(dualised.surface, dualised.dual);
-    EXPECT_EQ(remedies.empty(), dualised.dual.obstacles.empty());
-    for (const Remedy& remedy : remedies) {
-      const NodeId node = node_at(ground.mesh_graph, ground.mesh.vertex_count(), remedy.point);
+    const std::vector<SeedInsertion> insertions =
+        find_seed_insertions(dualised.surface, dualised.dual);
+    EXPECT_EQ(insertions.empty(), dualised.dual.violations.empty());
+    for (const SeedInsertion& insertion : insertions) {
+      const NodeId node = node_at(ground.mesh_graph, ground.mesh.vertex_count(), insertion.point);
       ASSERT_LT(node, ground.mesh_graph.graph.node_count());
       EXPECT_EQ(std::count(dualised.seeds.begin(), dualised.seeds.end(), node), 0);
     }
@@ -322,7 +323,7 @@ TEST_P(Repair, RegionsAreConnectedOnTheSurface) {
     for (const PointId p : t) EXPECT_TRUE(is_met[p]);
   }
   if (GetParam() == GraphKind::vertex || GetParam() == GraphKind::triangle) {
-    EXPECT_TRUE(surface.given.empty());
+    EXPECT_TRUE(surface.reassigned_points.empty());
   }
 }
 

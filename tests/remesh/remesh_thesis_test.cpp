@@ -92,7 +92,7 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
       };
       const DualisedSeeds repaired =
           repair_dual(made, *engine, dualise_current, dualise_current(seeds), [] { return true; });
-      EXPECT_TRUE(repaired.dual.obstacles.empty());
+      EXPECT_TRUE(repaired.dual.violations.empty());
       EXPECT_EQ(count_broken_vertices(repaired.dual.triangles), wanted.non_manifold_vertices);
       const Mesh remesh{std::vector<Vec3>(repaired.seeds.size(), Vec3::Zero()),
                         repaired.dual.triangles};

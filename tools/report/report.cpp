@@ -45,18 +45,18 @@ Json trace_part(const Relaxation& relaxation) {
   return trace;
 }
 
-Json obstacles_part(std::span<const Obstacle> obstacles) {
-  return {{"regions_not_discs", count(obstacles, ObstacleKind::region)},
-          {"contacts_not_curves", count(obstacles, ObstacleKind::contact)},
-          {"triples_with_several_corners", count(obstacles, ObstacleKind::triple)},
-          {"regions_without_corner", count(obstacles, ObstacleKind::isolation)}};
+Json violations_part(std::span<const ClosedBallViolation> violations) {
+  return {{"regions_not_discs", count(violations, ViolationKind::region)},
+          {"contacts_not_curves", count(violations, ViolationKind::contact)},
+          {"triples_with_several_corners", count(violations, ViolationKind::triple)},
+          {"regions_without_corner", count(violations, ViolationKind::isolation)}};
 }
 
 Json remesh_part(const Remesh& remesh) {
   return {{"vertices", remesh.mesh.vertex_count()},
           {"triangles", remesh.mesh.triangle_count()},
           {"seeds_added", remesh.seeds_added},
-          {"nodes_given_to_neighbours", remesh.given},
+          {"reassigned_points", remesh.reassigned_points},
           {"is_manifold_of_input_topology", remesh.flaw.empty()},
           {"flaw", remesh.flaw.empty() ? Json(nullptr) : Json(remesh.flaw)},
           {"topology", topology_part(remesh.topology)},
@@ -64,8 +64,8 @@ Json remesh_part(const Remesh& remesh) {
           {"repeated_triangles", remesh.repeated},
           {"folded_triangles", remesh.folded},
           {"flipped_triangles", remesh.flipped},
-          {"obstacles_found", obstacles_part(remesh.obstacles_found)},
-          {"obstacles_left", obstacles_part(remesh.obstacles_left)}};
+          {"closed_ball_violations_found", violations_part(remesh.violations_found)},
+          {"closed_ball_violations_left", violations_part(remesh.violations_left)}};
 }
 
 Json make_report(const RunRecord& run) {

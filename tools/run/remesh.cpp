@@ -42,40 +42,40 @@ Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
   return roundness;
 }
 
-std::string describe(ObstacleKind kind) {
+std::string describe(ViolationKind kind) {
   switch (kind) {
-    case ObstacleKind::region:
+    case ViolationKind::region:
       return "is no disc";
-    case ObstacleKind::contact:
+    case ViolationKind::contact:
       return "meet in several places";
-    case ObstacleKind::triple:
+    case ViolationKind::triple:
       return "meet at several corners";
-    case ObstacleKind::isolation:
+    case ViolationKind::isolation:
       return "touches no corner of three";
   }
   return "";
 }
 
-std::string name(const Obstacle& obstacle) {
+std::string name(const ClosedBallViolation& violation) {
   std::string regions;
   std::size_t count = 0;
-  for (const RegionId r : obstacle.regions) {
+  for (const RegionId r : violation.regions) {
     if (r == no_id) continue;
     regions += (count++ == 0 ? " " : ", ") + std::to_string(r);
   }
-  return (count == 1 ? "region" : "regions") + regions + " " + describe(obstacle.kind);
+  return (count == 1 ? "region" : "regions") + regions + " " + describe(violation.kind);
 }
 
 // Why the remesh is no manifold of the input's topology.
 std::string find_flaw(const Remesh& remesh, bool manifold) {
   const MeshTopology& input = remesh.input_topology;
   if (!input.is_manifold()) {
-    const bool is_alike = remesh.obstacles_left.empty() && remesh.topology == input;
+    const bool is_alike = remesh.violations_left.empty() && remesh.topology == input;
     return "the input is none" + std::string(is_alike ? ", and the remesh is like it" : "") + ": " +
            describe(input);
   }
-  if (!remesh.obstacles_left.empty()) {
-    const std::string first = name(remesh.obstacles_left.front());
+  if (!remesh.violations_left.empty()) {
+    const std::string first = name(remesh.violations_left.front());
     if (!manifold) return first + ", and seeds were not to be added (--no-manifold)";
     if (interrupted()) return first + ", and the work was interrupted";
     return first + ", and no further seed there helps: use a finer mesh";
@@ -102,8 +102,8 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   const MeshEdges edges = find_edges(input.mesh, scheduler);
   const auto dualise_current = [&](std::vector<NodeId> seeds) {
     DualisedSeeds dualised{std::move(seeds), {}, {}};
-    dualised.surface = spread_regions(input.mesh, edges, input.mesh_graph, input.engine.current(),
-                                      dualised.seeds.size());
+    dualised.surface = make_region_surface(input.mesh, edges, input.mesh_graph,
+                                           input.engine.current(), dualised.seeds.size());
     dualised.dual = make_dual(dualised.surface, scheduler);
     return dualised;
   };
@@ -112,15 +112,15 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   parallel_invoke(
       scheduler, [&] { remesh.input_topology = find_topology(input.mesh, edges); },
       [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });
-  remesh.obstacles_found = dualised.dual.obstacles;
-  if (options.manifold && !remesh.obstacles_found.empty()) {
+  remesh.violations_found = dualised.dual.violations;
+  if (options.manifold && !remesh.violations_found.empty()) {
     dualised = repair_dual(input.mesh_graph, input.engine, dualise_current, std::move(dualised),
                            [] { return !interrupted(); });
   }
   remesh.seeds = std::move(dualised.seeds);
   remesh.seeds_added = remesh.seeds.size() - input.seeds.size();
-  remesh.given = dualised.surface.given.size();
-  remesh.obstacles_left = dualised.dual.obstacles;
+  remesh.reassigned_points = dualised.surface.reassigned_points.size();
+  remesh.violations_left = dualised.dual.violations;
   remesh.repeated = dualised.dual.repeated;
   remesh.folded = dualised.dual.folded;
 

@@ -22,9 +22,10 @@ struct Remesh {
   Mesh mesh;
   std::vector<NodeId> seeds;  ///< per vertex
   std::size_t seeds_added = 0;
-  std::size_t given = 0;  ///< nodes whose region was cut up by others' arcs (region_surface.h)
-  std::vector<Obstacle> obstacles_found;  ///< before seeds were added
-  std::vector<Obstacle> obstacles_left;
+  std::size_t reassigned_points =
+      0;  ///< nodes whose region was cut up by others' arcs (region_surface.h)
+  std::vector<ClosedBallViolation> violations_found;  ///< before seeds were added
+  std::vector<ClosedBallViolation> violations_left;
   std::size_t repeated = 0;  ///< corners left out, their triangle being there already
   std::size_t folded = 0;    ///< triangles on others of opposite orientation
   std::size_t flipped = 0;   ///< triangles that face away from the surface
