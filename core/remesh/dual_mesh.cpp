@@ -1,7 +1,8 @@
 #include "core/remesh/dual_mesh.h"
 
 #include <algorithm>
-#include <map>
+#include <compare>
+#include <span>
 
 #include "core/remesh/surface_scan.h"
 
@@ -21,8 +22,17 @@ bool is_even(const Triangle& t) {
   return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
 }
 
-// How two regions meet: its ends are corners, and places on the boundary.
+// A triangle in which three regions meet.
+struct Corner {
+  Triple regions;  // ascending
+  std::uint32_t triangle;
+
+  friend auto operator<=>(const Corner&, const Corner&) = default;
+};
+
+// How two regions meet: the ends are corners, and places on the boundary.
 struct Contact {
+  Pair regions;  // ascending
   std::size_t ends = 0;
   std::size_t outer_ends = 0;
 
@@ -36,6 +46,7 @@ struct Shape {
   std::int64_t doubled_euler = 0;
   std::int64_t doubled_outer_euler = 0;
   bool has_corner = false;
+  bool has_non_manifold_edge = false;  // or an end of one
 
   // Connected it is (RegionSurface), so this is all. Its share of the boundary is nothing, or one
   // curve with ends.
@@ -56,6 +67,7 @@ class DualBuilder {
 
   DualMesh run() {
     visit_irregular_edges();
+    sort_and_merge();
     collect_triangles();
     find_violations();
     return std::move(dual_);
@@ -68,14 +80,14 @@ class DualBuilder {
     const Triangle& t = surface_.triangles[i];
     const Triple r = {region(t[0]), region(t[1]), region(t[2])};
     const bool is_corner = r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
-    if (is_corner) corners_[sorted(r)].push_back(i);
+    if (is_corner) corners_.push_back({sorted(r), i});
     for (std::size_t c = 0; c < 3; ++c) {
       const RegionId a = r[c];
       const RegionId b = r[(c + 1) % 3];
       if (a == b) {
         shapes_[a].doubled_euler -= 1;
       } else {
-        contacts_[ascending(a, b)].ends += is_corner ? 1 : 0;
+        contacts_.push_back({ascending(a, b), is_corner ? 1U : 0U, 0});
       }
     }
   }
@@ -87,13 +99,15 @@ class DualBuilder {
       const RegionId a = region(edge.ends[0]);
       const RegionId b = region(edge.ends[1]);
       const std::int64_t missing = 2 - static_cast<std::int64_t>(edge.triangles);
+      if (edge.triangles > 2) {
+        shapes_[a].has_non_manifold_edge = shapes_[b].has_non_manifold_edge = true;
+      }
       if (edge.triangles == 1) outer.insert(outer.end(), edge.ends.begin(), edge.ends.end());
       if (a == b) {
         shapes_[a].doubled_euler -= missing;
         if (edge.triangles == 1) shapes_[a].doubled_outer_euler -= 2;
       } else if (edge.triangles == 1) {
-        ++contacts_[ascending(a, b)].ends;
-        ++contacts_[ascending(a, b)].outer_ends;
+        contacts_.push_back({ascending(a, b), 1, 1});
       }
     }
     std::sort(outer.begin(), outer.end());
@@ -101,13 +115,42 @@ class DualBuilder {
     for (const VertexId v : outer) shapes_[region(v)].doubled_outer_euler += 2;
   }
 
+  // Each contact once.
+  void sort_and_merge() {
+    std::sort(corners_.begin(), corners_.end());
+    std::sort(contacts_.begin(), contacts_.end(),
+              [](const Contact& a, const Contact& b) { return a.regions < b.regions; });
+    std::size_t kept = 0;
+    for (const Contact& contact : contacts_) {
+      if (kept == 0 || contacts_[kept - 1].regions != contact.regions) {
+        contacts_[kept++] = contact;
+      } else {
+        contacts_[kept - 1].ends += contact.ends;
+        contacts_[kept - 1].outer_ends += contact.outer_ends;
+      }
+    }
+    contacts_.resize(kept);
+  }
+
+  // Calls visit(corners) with the corners of each three regions.
+  template <class Visit>
+  void for_each_triple(Visit&& visit) const {
+    for (auto first = corners_.begin(); first != corners_.end();) {
+      const auto last = std::find_if(first, corners_.end(), [&](const Corner& corner) {
+        return corner.regions != first->regions;
+      });
+      visit(std::span(first, last));
+      first = last;
+    }
+  }
+
   void collect_triangles() {
-    for (const auto& [triple, places] : corners_) {
+    for_each_triple([this](std::span<const Corner> corners) {
       std::array<std::uint32_t, 2> first = {no_id, no_id};  // of each order
-      for (const std::uint32_t i : places) {
-        std::uint32_t& kept = first[is_even(regions_at(i)) ? 1 : 0];
+      for (const Corner& corner : corners) {
+        std::uint32_t& kept = first[is_even(regions_at(corner.triangle)) ? 1 : 0];
         if (kept == no_id) {
-          kept = i;
+          kept = corner.triangle;
         } else {
           ++dual_.repeated;
         }
@@ -118,8 +161,8 @@ class DualBuilder {
         dual_.corner.push_back(i);
       }
       if (first[0] != no_id && first[1] != no_id) ++dual_.folded;
-      for (const RegionId r : triple) shapes_[r].has_corner = true;
-    }
+      for (const RegionId r : corners.front().regions) shapes_[r].has_corner = true;
+    });
   }
 
   [[nodiscard]] Triangle regions_at(std::uint32_t i) const {
@@ -131,25 +174,31 @@ class DualBuilder {
     for (RegionId r = 0; r < shapes_.size(); ++r) {
       if (!shapes_[r].is_disc()) add(ViolationKind::region, {r, no_id, no_id});
     }
-    for (const auto& [pair, contact] : contacts_) {
-      if (!contact.is_simple()) add(ViolationKind::contact, {pair[0], pair[1], no_id});
+    for (const Contact& contact : contacts_) {
+      const auto [a, b] = contact.regions;
+      if (!contact.is_simple()) add(ViolationKind::contact, {a, b, no_id});
     }
-    for (const auto& [triple, places] : corners_) {
-      if (places.size() > 1) add(ViolationKind::triple, triple);
-    }
+    for_each_triple([this](std::span<const Corner> corners) {
+      if (corners.size() > 1) add(ViolationKind::triple, corners.front().regions);
+    });
     for (RegionId r = 0; r < shapes_.size(); ++r) {
       if (!shapes_[r].has_corner) add(ViolationKind::isolation, {r, no_id, no_id});
     }
   }
 
   void add(ViolationKind kind, const Triple& regions) {
-    dual_.violations.push_back({kind, regions});
+    std::size_t clean = 0;
+    for (const RegionId r : regions) {
+      if (r != no_id && !shapes_[r].has_non_manifold_edge) ++clean;
+    }
+    const bool is_of_input = clean == 0 || (kind == ViolationKind::triple && clean == 1);
+    dual_.violations.push_back({kind, regions, is_of_input});
   }
 
   const RegionSurface& surface_;
   std::vector<Shape> shapes_;  // per region
-  std::map<Triple, std::vector<std::uint32_t>> corners_;
-  std::map<Pair, Contact> contacts_;
+  std::vector<Corner> corners_;
+  std::vector<Contact> contacts_;
   DualMesh dual_;
 };
 
@@ -159,6 +208,11 @@ std::size_t count(std::span<const ClosedBallViolation> violations, ViolationKind
   return static_cast<std::size_t>(
       std::count_if(violations.begin(), violations.end(),
                     [kind](const ClosedBallViolation& v) { return v.kind == kind; }));
+}
+
+bool any_removable(std::span<const ClosedBallViolation> violations) {
+  return std::any_of(violations.begin(), violations.end(),
+                     [](const ClosedBallViolation& v) { return !v.is_of_input; });
 }
 
 DualMesh make_dual(const RegionSurface& surface, Executor& executor) {

@@ -23,6 +23,9 @@ enum class ViolationKind {
 struct ClosedBallViolation {
   ViolationKind kind = ViolationKind::region;
   std::array<RegionId, 3> regions = {no_id, no_id, no_id};  ///< whose it is; the first ones
+  /// The regions reach edges of three and more triangles: the region itself, both regions of a
+  /// contact, two of a triple. There the input is no manifold, and no seed makes it one.
+  bool is_of_input = false;
 };
 
 /// The dual of a tessellation: vertex r stands for region r, a triangle for each corner at which
@@ -40,6 +43,9 @@ struct DualMesh {
 };
 
 std::size_t count(std::span<const ClosedBallViolation> violations, ViolationKind kind);
+
+/// Whether seeds may remove any of them: not all are of the input.
+bool any_removable(std::span<const ClosedBallViolation> violations);
 
 DualMesh make_dual(const RegionSurface& surface, Executor& executor = sequential());
 

@@ -1,7 +1,6 @@
 #include "core/remesh/dual_repair.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "core/remesh/seed_insertion.h"
@@ -21,26 +20,36 @@ class RepairedDual {
 
   DualisedSeeds run() {
     const std::size_t given = result_.seeds.size();
-    while (!result_.dual.violations.empty() && keep_going_()) {
-      if (!add_seeds()) break;
+    const std::size_t most =
+        given + (is_input_manifold() ? mesh_graph_.graph.node_count() : most_seeds_added(given));
+    while (any_removable(result_.dual.violations) && keep_going_()) {
+      if (!add_seeds(most)) break;
       dualise_seeds();
     }
-    if (result_.seeds.size() > given && result_.dual.violations.empty()) settle(given);
+    if (result_.seeds.size() > given && !any_removable(result_.dual.violations)) settle(given);
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] bool is_input_manifold() const {
+    const auto& edges = result_.surface.irregular_edges;
+    return std::none_of(edges.begin(), edges.end(),
+                        [](const IrregularEdge& edge) { return edge.triangles > 2; });
+  }
+
   void dualise_seeds() {
     engine_.partition(result_.seeds);
     result_ = dualise_(std::move(result_.seeds));
   }
 
   // Those of one violation, but no two violations that concern the same region: one seed may mend
-  // both.
-  bool add_seeds() {
+  // both. Stops at `most` seeds.
+  bool add_seeds(std::size_t most) {
     constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
     std::vector<std::array<RegionId, 3>> taken_by(result_.seeds.size(), nobody);
+    std::vector<bool> is_added(mesh_graph_.graph.node_count(), false);
     for (const SeedInsertion& insertion : find_seed_insertions(result_.surface, result_.dual)) {
+      if (result_.seeds.size() == most) break;
       const auto is_open = [&](RegionId r) {
         return r == no_id || taken_by[r] == nobody || taken_by[r] == insertion.regions;
       };
@@ -49,8 +58,8 @@ class RepairedDual {
         if (r != no_id) taken_by[r] = insertion.regions;
       }
       const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, insertion.point);
-      const auto added = std::span(result_.seeds).subspan(taken_by.size());
-      if (std::find(added.begin(), added.end(), node) == added.end()) result_.seeds.push_back(node);
+      if (!is_added[node]) result_.seeds.push_back(node);
+      is_added[node] = true;
     }
     return result_.seeds.size() > taken_by.size();
   }
@@ -68,7 +77,8 @@ class RepairedDual {
       if (moved == result_.seeds) return;
       engine_.partition(moved);
       DualisedSeeds settled = dualise_(std::move(moved));
-      if (settled.dual.violations.empty()) {
+      if (!any_removable(settled.dual.violations) &&
+          settled.dual.violations.size() <= result_.dual.violations.size()) {
         result_ = std::move(settled);
         continue;
       }
@@ -116,6 +126,10 @@ DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph&
   result.surface = make_region_surface(mesh, edges, mesh_graph, partition, result.seeds.size());
   result.dual = make_dual(result.surface);
   return result;
+}
+
+std::size_t most_seeds_added(std::size_t regions) {
+  return 2 * regions + 64;
 }
 
 DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,

@@ -24,11 +24,17 @@ DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph&
 /// What dualise() gives for seeds whose partition the engine has just found.
 using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
 
-/// Adds seeds where the dual has violations (seed_insertion.h), until it has none or nothing more
-/// can be added. Then these seeds and those around them move toward the centroids of their regions,
-/// as far as no violation comes back. The seeds that were there stay the first ones, in their
-/// order. `engine` works on mesh_graph's graph; `keep_going` is asked now and then, and ends it
-/// with what it has come to.
+/// How many seeds repair_dual adds at most to so many regions of a mesh with edges of three and
+/// more triangles: two for each region, so that loose triangles become triangles, and 64.
+std::size_t most_seeds_added(std::size_t regions);
+
+/// Adds seeds where the dual has violations (seed_insertion.h), until it has none but those of the
+/// input (ClosedBallViolation) or nothing more can be added. On a mesh whose edges have two
+/// triangles at most, the nodes are the only bound, and where there are enough of them no violation
+/// is left. On others most_seeds_added() is the bound. Then the added seeds and those around them
+/// move toward the centroids of their regions, as far as no violation comes back. The seeds that
+/// were there stay the first ones, in their order. `engine` works on mesh_graph's graph;
+/// `keep_going` is asked now and then, and ends it with what it has come to.
 DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
                           DualisedSeeds flawed, const std::function<bool()>& keep_going);
 

@@ -68,6 +68,7 @@ class InsertionFinder {
     }
     gather();
     for (const ClosedBallViolation& violation : dual_.violations) {
+      if (violation.is_of_input) continue;
       const std::size_t before = insertions_.size();
       switch (violation.kind) {
         case ViolationKind::region:
@@ -116,11 +117,13 @@ class InsertionFinder {
   // What the violations are about: edges within regions, borders, and boundary.
   void gather() {
     std::vector<bool> is_asked(surface_.region_count, false);
-    for (const ClosedBallViolation& o : dual_.violations) {
-      if (o.kind == ViolationKind::region) is_asked[o.regions[0]] = true;
-      if (o.kind == ViolationKind::contact) contacts_[{o.regions[0], o.regions[1]}];
-      if (o.kind == ViolationKind::triple) corners_[o.regions];
+    for (const ClosedBallViolation& v : dual_.violations) {
+      if (v.is_of_input) continue;
+      if (v.kind == ViolationKind::region) is_asked[v.regions[0]] = true;
+      if (v.kind == ViolationKind::contact) contacts_[{v.regions[0], v.regions[1]}];
+      if (v.kind == ViolationKind::triple) corners_[v.regions];
     }
+    gather_boundaries(is_asked);
     for (std::uint32_t i = 0; i < surface_.triangles.size(); ++i) {
       const Triangle& t = surface_.triangles[i];
       const std::array<RegionId, 3> r = {region(t[0]), region(t[1]), region(t[2])};
@@ -129,6 +132,19 @@ class InsertionFinder {
       for (std::size_t c = 0; c < 3; ++c) {
         if (r[c] != r[(c + 1) % 3] || r[c] == no_id || !is_asked[r[c]]) continue;
         within_[r[c]].push_back({ascending(t[c], t[(c + 1) % 3]), {is_inner ? i : no_id, no_id}});
+      }
+    }
+  }
+
+  void gather_boundaries(const std::vector<bool>& is_asked) {
+    for (const IrregularEdge& edge : surface_.irregular_edges) {
+      if (edge.triangles != 1) continue;
+      const auto [a, b] = edge.ends;
+      for (const VertexId v : edge.ends) {
+        if (is_asked[region(v)]) boundaries_[region(v)].add({v, v});
+      }
+      if (region(a) == region(b) && is_asked[region(a)]) {
+        boundaries_[region(a)].join({a, a}, {b, b});
       }
     }
   }
@@ -213,18 +229,8 @@ class InsertionFinder {
   }
 
   void part_boundaries(const ClosedBallViolation& violation) {
-    Curves curves;
-    for (const IrregularEdge& edge : surface_.irregular_edges) {
-      if (edge.triangles != 1) continue;
-      for (const VertexId v : edge.ends) {
-        if (region(v) == violation.regions[0]) curves.add({v, v});
-      }
-      if (region(edge.ends[0]) == violation.regions[0] &&
-          region(edge.ends[1]) == violation.regions[0]) {
-        curves.join({edge.ends[0], edge.ends[0]}, {edge.ends[1], edge.ends[1]});
-      }
-    }
-    add(violation, farthest_of_nearest(curves));
+    const auto found = boundaries_.find(violation.regions[0]);
+    if (found != boundaries_.end()) add(violation, farthest_of_nearest(found->second));
   }
 
   void part_contact(const ClosedBallViolation& violation) {
@@ -259,6 +265,7 @@ class InsertionFinder {
   const DualMesh& dual_;
   std::vector<PointId> farthest_;  // per region
   std::map<RegionId, std::vector<InnerEdge>> within_;
+  std::map<RegionId, Curves> boundaries_;  // vertices on the boundary
   std::map<Pair, Curves> contacts_;
   std::map<std::array<RegionId, 3>, std::vector<std::uint32_t>> corners_;
   std::vector<SeedInsertion> insertions_;

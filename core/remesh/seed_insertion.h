@@ -20,7 +20,7 @@ struct SeedInsertion {
 ///                            and of these the farthest
 /// a triple                   the farthest of the points at its corners
 /// isolation                  the farthest point of the region
-/// None for a violation whose regions have no node but their seed.
+/// None for a violation of the input, nor for one whose regions have no node but their seed.
 std::vector<SeedInsertion> find_seed_insertions(const RegionSurface& surface, const DualMesh& dual);
 
 }  // namespace geolloyd
