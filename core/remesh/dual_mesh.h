@@ -49,15 +49,4 @@ bool any_removable(std::span<const ClosedBallViolation> violations);
 
 DualMesh make_dual(const RegionSurface& surface, Executor& executor = sequential());
 
-/// A position for each region's vertex of the dual: `site`, or, in regions that reach the boundary,
-/// the point of the boundary where it turns most, if it turns by more than 30 degrees, else the
-/// nearest to `site`; of equals, the vertex with the smaller id. So the dual does not shrink from
-/// the boundary.
-std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
-                             const std::vector<Vec3>& site);
-
-/// Triangles of the dual, so placed, that face away from the surface at the corner they stand for.
-std::size_t count_flipped(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
-                          const std::vector<Vec3>& place);
-
 }  // namespace geolloyd

@@ -1,7 +1,10 @@
-#include <algorithm>
-#include <map>
+#include "core/remesh/dual_places.h"
 
-#include "core/remesh/dual_mesh.h"
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "core/remesh/dual_place_repair.h"
 
 namespace geolloyd {
 namespace {
@@ -37,27 +40,42 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return a + t * along;
 }
 
-}  // namespace
+// From a vertex of the boundary to a neighbour along the boundary.
+using BoundaryStep = std::array<VertexId, 2>;
 
-std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
-                             const std::vector<Vec3>& site) {
-  std::map<VertexId, std::vector<VertexId>> beside;  // along the boundary
+// In both directions, ascending.
+std::vector<BoundaryStep> boundary_steps(const RegionSurface& surface) {
+  std::vector<BoundaryStep> steps;
   for (const IrregularEdge& edge : surface.irregular_edges) {
     if (edge.triangles != 1) continue;
-    beside[edge.ends[0]].push_back(edge.ends[1]);
-    beside[edge.ends[1]].push_back(edge.ends[0]);
+    steps.push_back({edge.ends[0], edge.ends[1]});
+    steps.push_back({edge.ends[1], edge.ends[0]});
   }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+// Cosine of the angle by which the boundary turns at a vertex; 1 where it has no direction.
+double turn_cosine(const Mesh& mesh, std::span<const BoundaryStep> steps) {
+  if (steps.size() != 2) return 1;
+  const Vec3& p = mesh.positions[steps[0][0]];
+  const Vec3 in = normalized(p - mesh.positions[steps[0][1]]);
+  const Vec3 out = normalized(mesh.positions[steps[1][1]] - p);
+  return norm(in) > 0 && norm(out) > 0 ? dot(in, out) : 1;
+}
+
+// Per region.
+std::vector<OuterPlace> find_outer_places(const Mesh& mesh, const RegionSurface& surface,
+                                          const std::vector<Vec3>& site) {
+  const std::vector<BoundaryStep> steps = boundary_steps(surface);
   std::vector<OuterPlace> outer(site.size());
-  for (const auto& [v, neighbours] : beside) {
+  for (auto first = steps.begin(); first != steps.end();) {
+    const VertexId v = (*first)[0];
+    const auto last =
+        std::find_if(first, steps.end(), [v](const BoundaryStep& step) { return step[0] != v; });
     const RegionId r = surface.region[v];
-    const Vec3& p = mesh.positions[v];
-    double cosine = 1;
-    if (neighbours.size() == 2) {
-      const Vec3 in = normalized(p - mesh.positions[neighbours[0]]);
-      const Vec3 out = normalized(mesh.positions[neighbours[1]] - p);
-      if (norm(in) > 0 && norm(out) > 0) cosine = dot(in, out);
-    }
-    outer[r].offer(p, site[r], cosine);
+    outer[r].offer(mesh.positions[v], site[r], turn_cosine(mesh, std::span(first, last)));
+    first = last;
   }
   for (const IrregularEdge& edge : surface.irregular_edges) {
     const auto [a, b] = edge.ends;
@@ -65,25 +83,34 @@ std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface,
     if (edge.triangles != 1 || r != surface.region[b]) continue;
     outer[r].offer(closest_on_segment(site[r], mesh.positions[a], mesh.positions[b]), site[r], 1);
   }
+  return outer;
+}
+
+}  // namespace
+
+std::vector<Vec3> place_dual(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
+                             const std::vector<Vec3>& site) {
+  const std::vector<OuterPlace> outer = find_outer_places(mesh, surface, site);
+  PlaceChoices choices{site, {}, {}, {}};
   std::vector<Vec3> places = site;
   for (std::size_t r = 0; r < places.size(); ++r) {
     if (outer[r].is_found) places[r] = outer[r].position;
+    choices.is_outer.push_back(outer[r].is_found ? 1 : 0);
+    choices.is_at_turn.push_back(outer[r].is_found && !outer[r].is_blunt() ? 1 : 0);
   }
+  for (const BoundaryStep& step : boundary_steps(surface)) {
+    choices.boundary.emplace_back(surface.region[step[0]], step[0]);
+  }
+  std::sort(choices.boundary.begin(), choices.boundary.end());
+  repair_places(mesh, surface, dual, choices, places);
   return places;
 }
 
 std::size_t count_flipped(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
                           const std::vector<Vec3>& place) {
-  const auto normal = [](const Vec3& a, const Vec3& b, const Vec3& c) {
-    return cross(b - a, c - a);
-  };
   std::size_t flipped = 0;
   for (std::size_t i = 0; i < dual.triangles.size(); ++i) {
-    const Triangle& t = dual.triangles[i];
-    const Triangle& corner = surface.triangles[dual.corner[i]];
-    const Vec3 there = normal(surface.position(mesh, corner[0]), surface.position(mesh, corner[1]),
-                              surface.position(mesh, corner[2]));
-    if (dot(normal(place[t[0]], place[t[1]], place[t[2]]), there) < 0) ++flipped;
+    if (signed_flatness(mesh, surface, dual, i, place) < 0) ++flipped;
   }
   return flipped;
 }

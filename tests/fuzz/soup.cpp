@@ -21,6 +21,7 @@
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/remesh/dual_mesh.h"
+#include "core/remesh/dual_places.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
 #include "core/voronoi/check_partition.h"
@@ -165,7 +166,8 @@ void remesh(const Soup& soup, const MeshEdges& edges, const MeshGraph& made, Eng
           "seeds only move where others are added");
   for (const DualisedSeeds* dualised : {&first, &repaired}) {
     require_sound(*dualised, made.graph.node_count());
-    const Mesh remesh{place_dual(soup.mesh, dualised->surface, positions_of(made, dualised->seeds)),
+    const Mesh remesh{place_dual(soup.mesh, dualised->surface, dualised->dual,
+                                 positions_of(made, dualised->seeds)),
                       dualised->dual.triangles};
     for (const Vec3& p : remesh.positions) require(p.allFinite(), "vertices have places");
     require(count_flipped(soup.mesh, dualised->surface, dualised->dual, remesh.positions) <=

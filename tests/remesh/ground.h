@@ -10,6 +10,7 @@
 #include "core/graph/components.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/remesh/dual_places.h"
 #include "core/remesh/dual_repair.h"
 #include "core/seeds/seeds.h"
 
@@ -42,7 +43,7 @@ struct Ground {
   [[nodiscard]] Mesh remesh(const DualisedSeeds& dualised) const {
     std::vector<Vec3> sites;
     for (const NodeId s : dualised.seeds) sites.push_back(mesh_graph.position[s]);
-    return {place_dual(mesh, dualised.surface, sites), dualised.dual.triangles};
+    return {place_dual(mesh, dualised.surface, dualised.dual, sites), dualised.dual.triangles};
   }
 
   Mesh mesh;

@@ -9,6 +9,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/remesh/dual_mesh.h"
+#include "core/remesh/dual_places.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
 #include "tools/cli/facts_text.h"
@@ -124,7 +125,7 @@ Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options, Sched
   remesh.repeated = dualised.dual.repeated;
   remesh.folded = dualised.dual.folded;
 
-  remesh.mesh.positions = place_dual(input.mesh, dualised.surface,
+  remesh.mesh.positions = place_dual(input.mesh, dualised.surface, dualised.dual,
                                      find_sites(input, remesh.seeds, options.vertices, scheduler));
   remesh.flipped =
       count_flipped(input.mesh, dualised.surface, dualised.dual, remesh.mesh.positions);
