@@ -39,6 +39,18 @@ std::string name_of(int descriptor) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
+// What `path` stands for: the end of its links, if it is one, whether that is there or not.
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  constexpr int most_links = 40;  // as the system has it
+  std::error_code error;
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i) {
+    const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
 // Null where the file system knows no files without a name, or they could not be given one.
 std::FILE* open_unnamed(const std::filesystem::path& folder) {
   const int number = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC,
@@ -76,18 +88,25 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
-  // Too long, say: the file would be lost when it is to have its name.
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)), target_(end_of_links(path_)) {
+  // A name that is too long, for example: the file would be lost when it is to have its name.
   struct stat status {};
-  if (::lstat(path_.c_str(), &status) != 0 && errno != ENOENT) fail(path_, "cannot write", errno);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path_, ignored)) fail(path_, "cannot write", EISDIR);
+  const bool replaces = ::stat(target_.c_str(), &status) == 0;
+  if (!replaces && errno != ENOENT) fail(path_, "cannot write", errno);
+  if (replaces && S_ISDIR(status.st_mode)) fail(path_, "cannot write", EISDIR);
   // A rename would put a plain file in the place of a device or a pipe.
-  if (std::filesystem::exists(path_, ignored) &&
-      !std::filesystem::is_regular_file(path_, ignored)) {
+  if (replaces && !S_ISREG(status.st_mode)) {
     throw IoError(path_.string() + ": cannot write: not a regular file");
   }
-  file_.reset(open_unnamed(path_.parent_path()));
+  open();
+  // Some file systems know no modes: there the file has the one that they give to all.
+  constexpr mode_t permissions = S_IRWXU | S_IRWXG | S_IRWXO;
+  if (replaces) (void)::fchmod(::fileno(file_.get()), status.st_mode & permissions);
+}
+
+void OutputFile::open() {
+  file_.reset(open_unnamed(target_.parent_path()));
   if (file_) return;
   make_temporary([&] {
     file_.reset(std::fopen(temporary_.c_str(), "wbex"));
@@ -132,8 +151,8 @@ void OutputFile::commit() {
     return ::linkat(AT_FDCWD, name_of(::fileno(file_.get())).c_str(), AT_FDCWD, name.c_str(),
                     AT_SYMLINK_FOLLOW) == 0;
   };
-  if (!has_name_ && !link_to(path_)) make_temporary([&] { return link_to(temporary_); });
-  if (has_name_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (!has_name_ && !link_to(target_)) make_temporary([&] { return link_to(temporary_); });
+  if (has_name_ && std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     fail(path_, "cannot write", errno);
   }
   has_name_ = false;
@@ -146,7 +165,7 @@ template <class Make>
 void OutputFile::make_temporary(const Make& make) {
   const std::string begin = ".geolloyd-" + std::to_string(::getpid()) + "-";
   for (std::uint64_t n = 0; !has_name_; ++n) {
-    temporary_ = path_.parent_path() / (begin + std::to_string(n) + ".part");
+    temporary_ = target_.parent_path() / (begin + std::to_string(n) + ".part");
     has_name_ = make();
     if (!has_name_ && errno != EEXIST) fail(path_, "cannot write", errno);
   }

@@ -13,16 +13,21 @@ namespace geolloyd {
 std::string read_file(const std::filesystem::path& path);
 
 /// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
-/// nothing is left of it however the program ends. For a moment in commit(), where it replaces
-/// another, and all the time on a file system that has no such files, it has a temporary name
-/// beside `path`, .geolloyd-PROCESS-N.part, and is removed with the object. Complete after
-/// finish(). Throws IoError; also where `path` is a folder, a device or a pipe, or can be no name.
+/// nothing is left of it however the program ends. It has a temporary name beside its place,
+/// .geolloyd-PROCESS-N.part, for a moment in commit() where it replaces another file, and all the
+/// time on a file system that has no unnamed files; that one is removed with the object. It has the
+/// mode of the file that it replaces. Where `path` is a symbolic link it takes the place of what
+/// that points to. It is complete after finish(). Throws IoError, also where `path` is a folder, a
+/// device or a pipe, or can be no name.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
+
+  /// Where the file will be: `path`, or what it links to.
+  [[nodiscard]] const std::filesystem::path& target() const { return target_; }
 
   void write(std::string_view bytes);
   /// Brings to the disk what was written. Where that is all, even a loss of power leaves the old
@@ -34,6 +39,7 @@ class OutputFile {
   void commit();
 
  private:
+  void open();
   template <class Make>
   void make_temporary(const Make& make);
 
@@ -41,7 +47,8 @@ class OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  std::filesystem::path path_;
+  std::filesystem::path path_;  ///< as given, for messages
+  std::filesystem::path target_;
   std::filesystem::path temporary_;
   std::unique_ptr<std::FILE, Close> file_;
   bool has_name_ = false;  ///< temporary_

@@ -20,6 +20,8 @@ class FileWriter {
   explicit FileWriter(std::filesystem::path path) : path_(std::move(path)), file_(path_) {}
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Where the file will be: path(), or what it links to.
+  [[nodiscard]] const std::filesystem::path& target() const { return file_.target(); }
 
   void text(std::string_view text) {
     if (text.size() > buffer_.size()) {

@@ -155,6 +155,45 @@ TEST(FileIo, GivesFilesTheUsersPermissions) {
   EXPECT_EQ(fs::status(folder.path() / "a").permissions(), static_cast<fs::perms>(0640));
 }
 
+TEST(FileIo, KeepsTheModeOfTheFileItReplaces) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.write("a", "old");
+  for (const auto mode : {0600, 0444, 0666, 0751}) {
+    fs::permissions(path, static_cast<fs::perms>(mode));
+    OutputFile file(path);
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(fs::status(path).permissions(), static_cast<fs::perms>(mode));
+  }
+  EXPECT_EQ(files_in(folder.path()), 1U);
+}
+
+TEST(FileIo, ReplacesWhatALinkPointsTo) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "data");
+  const fs::path target = folder.path() / "data" / "target";
+  const fs::path link = folder.path() / "link";
+  fs::create_symlink("data/second", link);
+  fs::create_symlink("target", folder.path() / "data" / "second");
+  for (const std::string text : {"new", "newer"}) {  // first there is no file
+    OutputFile file(link);
+    file.write(text);
+    file.commit();
+    EXPECT_EQ(read_file(target), text);
+    EXPECT_EQ(fs::read_symlink(link), "data/second");
+  }
+  EXPECT_EQ(files_in(folder.path()), 2U);
+  EXPECT_EQ(files_in(folder.path() / "data"), 2U);
+}
+
+TEST(FileIo, RefusesALinkThatLeadsNowhereOrRound) {
+  const TemporaryFolder folder;
+  fs::create_symlink("missing/file", folder.path() / "nowhere");
+  fs::create_symlink("round", folder.path() / "round");
+  EXPECT_THROW(OutputFile(folder.path() / "nowhere"), IoError);
+  EXPECT_THROW(OutputFile(folder.path() / "round"), IoError);
+}
+
 // From now on a system call fails in this process, if the kernel lets us say so.
 bool forbid(unsigned call, unsigned error) {
   sock_filter steps[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),

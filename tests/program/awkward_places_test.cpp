@@ -245,6 +245,16 @@ TEST_F(Places, AReadOnlyFileIsReplaced) {
   EXPECT_EQ(lines_of(out() / "seeds.csv").size(), 21U);
 }
 
+TEST_F(Places, ResultsKeepTheirModesAndLinks) {
+  const Outcome outcome =
+      sh("$P relax torus.ply -k 9 -o out >log && chmod 640 out/* && mkdir far && "
+         "for f in seeds.csv report.json; do mv out/$f far; ln -s ../far/$f out; done; "
+         "$P relax torus.ply -k 20 -o out >log && stat -L -c %a out/* | uniq && "
+         "stat -c %F out/seeds.csv out/report.json | uniq && ls out far | wc -w");
+  EXPECT_EQ(outcome.text, "640\nsymbolic link\n9\n");
+  EXPECT_EQ(lines_of(folder_.path() / "far" / "seeds.csv").size(), 21U);
+}
+
 TEST_F(Places, NamesOfFoldersMayHoldAnything) {
   for (const std::string name : {"là bas", "two\nlines", "not \xff utf-8", "-dash", "a'b"}) {
     const fs::path folder = folder_.path() / name;

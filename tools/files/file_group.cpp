@@ -10,7 +10,7 @@ FileGroup::FileGroup(const std::filesystem::path& folder, std::span<const char* 
 
 void FileGroup::commit() {
   for (const auto& file : files_) file->finish();
-  remove_file(files_.back()->path());
+  remove_file(files_.back()->target());
   for (const auto& file : files_) file->commit();
 }
 
