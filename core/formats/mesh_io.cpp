@@ -1,5 +1,7 @@
 #include "core/formats/mesh_io.h"
 
+#include <optional>
+
 #include "core/base/bounding_box.h"
 #include "core/base/errors.h"
 #include "core/formats/mesh_readers.h"
@@ -20,6 +22,15 @@ LoadedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view 
       break;
   }
   return read_stl(bytes, name);
+}
+
+std::optional<MeshFormat> known_format(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".obj") return MeshFormat::obj;
+  if (extension == ".off") return MeshFormat::off;
+  if (extension == ".stl") return MeshFormat::stl;
+  return std::nullopt;
 }
 
 void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
@@ -59,13 +70,14 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
 }
 
 MeshFormat format_of(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".obj") return MeshFormat::obj;
-  if (extension == ".off") return MeshFormat::off;
-  if (extension == ".stl") return MeshFormat::stl;
-  throw InvalidInput(path.string() + ": unknown extension " + in_quotes(extension) +
+  if (const auto format = known_format(path)) return *format;
+  throw InvalidInput(path.string() + ": unknown extension " +
+                     in_quotes(lower_case(path.extension().string())) +
                      "; .ply, .obj, .off and .stl are understood");
+}
+
+bool has_mesh_name(const std::filesystem::path& path) {
+  return known_format(path).has_value();
 }
 
 void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {

@@ -38,6 +38,9 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 /// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
 void check_mesh_name(const std::filesystem::path& path);
 
+/// That the extension is one of these.
+bool has_mesh_name(const std::filesystem::path& path);
+
 /// What a part of a mesh belongs to, and a colour that shows it.
 struct Label {
   std::array<std::uint8_t, 3> colour;  ///< red, green, blue

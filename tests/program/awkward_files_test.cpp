@@ -227,6 +227,13 @@ const BadOption bad_options[] = {
     {"MissingFolder", "generate creature -t 100000000 -o no/a.ply", "no/a.ply: cannot write: No such file"},
     {"NoCommand", "", "A subcommand is required"},
     {"UnknownCommand", "frobnicate", "see geolloyd --help"},
+    {"MistypedCommand", "relx torus.ply", "no command relx (did you mean relax?): see geolloyd --help"},
+    {"MistypedOption", "relax torus.ply -o out -k 4 --tread=2", "no option --tread (did you mean --threads?)"},
+    {"MistypedOptionThatIsNeeded", "relax torus.ply -k 4 --outptu out", "no option --outptu (did you mean --output?)"},
+    {"MistypedOptionOfTheProgram", "--versoin", "no option --versoin (did you mean --version?)"},
+    {"MeshNameForAFolder", "relax torus.ply -k 4 -o out.ply", "--output: 'out.ply' is the name of a mesh file: give that of a folder"},
+    {"MeshNameForAFolderOfTables", "batch torus.ply -k 4 -o out.STL", "--output: 'out.STL' is the name of a mesh"},
+    {"MeshNameForFrames", "relax torus.ply -k 4 -o out --frames f.obj", "--frames: 'f.obj' is the name of a mesh"},
     {"NoMesh", "relax -o out", "MESH"},
 };
 // clang-format on

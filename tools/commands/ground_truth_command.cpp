@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "tools/cli/folder_option.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/experiment.h"
 #include "tools/report/ground_truth_output.h"
@@ -38,11 +39,9 @@ void add_ground_truth_command(CLI::App& program) {
       "ground-truth", "Compare the regions of seeds with those by Euclidean distance");
   const auto arguments = std::make_shared<RelaxArguments>();
   add_mesh_argument(*command, *arguments);
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
-                   "ground-truth-regions.csv")
-      ->type_name("FOLDER");
+  folder_name(command->add_option("-o,--output", arguments->output,
+                                  "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
+                                  "ground-truth-regions.csv"));
   add_seed_options(*command, *arguments);
   add_graph_options(*command, *arguments);
   add_thread_options(*command, *arguments);

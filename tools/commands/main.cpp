@@ -11,8 +11,10 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "core/base/errors.h"
+#include "tools/cli/suggestion.h"
 #include "tools/commands/commands.h"
 #include "tools/system/available_memory.h"
 #include "tools/system/build_facts.h"
@@ -61,6 +63,49 @@ void refuse_empty_values(CLI::App& program) {
   }
 }
 
+// What the user meant by a word that is no name of ours; empty where no name is near.
+std::string suggest(const std::string& word, const std::vector<std::string>& names) {
+  const std::string name = geolloyd::closest_name(word, names);
+  return name.empty() ? "" : " (did you mean " + name + "?)";
+}
+
+std::string suggest_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return suggest(word, names);
+}
+
+std::string suggest_option(const CLI::App& command, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return suggest(word, names);
+}
+
+// Where a name was mistyped, CLI11 may miss what it stands for instead, or name all words left
+// over.
+std::string explain(const CLI::App& program, const CLI::ParseError& error) {
+  const bool has_words_left =
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) ||
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+  const std::vector<CLI::App*> commands = program.get_subcommands();
+  for (const std::string& word : program.remaining(true)) {
+    const bool is_option = word.starts_with("--");
+    if (!has_words_left || (!is_option && !commands.empty())) continue;
+    const std::string name = word.substr(0, word.find('='));
+    const std::string meant =
+        is_option ? suggest_option(commands.empty() ? program : *commands.front(), name)
+                  : suggest_command(program, name);
+    if (!meant.empty() || !is_option) {
+      return "no " + std::string(is_option ? "option " : "command ") + name + meant;
+    }
+  }
+  return error.what();
+}
+
 void run(int argc, char** argv) {
   CLI::App program(
       "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
@@ -88,8 +133,7 @@ void run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-    if (!asked_for)
-      throw geolloyd::InvalidInput(error.what() + std::string(": see geolloyd --help"));
+    if (!asked_for) throw geolloyd::InvalidInput(explain(program, error) + ": see geolloyd --help");
     program.exit(error);
   }
   geolloyd::check_printed();

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "tools/cli/facts_text.h"
+#include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
 #include "tools/render/labels.h"
@@ -200,18 +201,15 @@ void add_relax_command(CLI::App& program) {
       "relax", "Tessellate a mesh: move seeds to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
   add_mesh_argument(*command, *arguments);
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
-                   "report.json")
-      ->type_name("FOLDER")
+  folder_name(
+      command->add_option("-o,--output", arguments->output,
+                          "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
+                          "report.json"))
       ->required();
   command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
       ->type_name("FILE");
-  command
-      ->add_option("--frames", arguments->frames,
-                   "Folder for a picture of the start of each step, NNN-PHASE.png")
-      ->type_name("FOLDER");
+  folder_name(command->add_option("--frames", arguments->frames,
+                                  "Folder for a picture of the start of each step, NNN-PHASE.png"));
   command->add_flag("--ground-truth", arguments->ground_truth,
                     "Judge the result by the regions of Euclidean distance");
   time_in_seconds(

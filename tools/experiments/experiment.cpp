@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "tools/cli/facts_text.h"
+#include "tools/cli/folder_option.h"
 #include "tools/experiments/plot.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
@@ -19,10 +20,9 @@
 namespace geolloyd {
 
 void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
-  command
-      .add_option("-o,--output", output.folder,
-                  fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name))
-      ->type_name("FOLDER");
+  folder_name(
+      command.add_option("-o,--output", output.folder,
+                         fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name)));
   command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
 }
 
