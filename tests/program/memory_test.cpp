@@ -83,6 +83,15 @@ TEST(MemoryText, IsShort) {
   EXPECT_EQ(memory_text(14'230'000'000), "14.2 GB");
 }
 
+TEST(MemoryLimit, AnnouncesALargeRunOnce) {
+  testing::internal::CaptureStderr();
+  require_memory("part", 2'000'000'000);
+  announce_memory("small", 1'000'000'000);
+  announce_memory("first", 3'000'000'000);
+  announce_memory("second", 4'000'000'000);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "first: takes up to 3.0 GB of memory\n");
+}
+
 TEST(MemoryEstimate, GrowsWithEverythingThatIsAskedFor) {
   RunSize size;
   size.vertices = size.nodes = size.seeds = 1'000'000;

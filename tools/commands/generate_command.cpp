@@ -43,7 +43,7 @@ void add_generate_command(CLI::App& program) {
     check_mesh_target(arguments->output, {});
     const Shape shape = value_of(shape_names, arguments->shape);
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
-      require_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
+      announce_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
     }
     const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
     write_mesh(arguments->output, mesh);

@@ -8,6 +8,8 @@
 #include "tools/cli/facts_text.h"
 #include "tools/commands/commands.h"
 #include "tools/run/stages.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
 
 namespace geolloyd {
 
@@ -17,6 +19,8 @@ void add_info_command(CLI::App& program) {
   command->add_option("MESH", *path, "PLY, OBJ, OFF or STL file")->type_name("")->required();
   command->callback([path] {
     const LoadedMesh input = read_within_limits(*path);
+    announce_memory(path->string(),
+                    memory_to_check(input.mesh.vertex_count(), input.mesh.triangle_count()));
     fmt::print("{}\n{}", path->string(),
                describe(input, check_mesh(input.mesh, find_edges(input.mesh))));
   });

@@ -48,9 +48,9 @@ class Renderer {
       progress_.stage("reading " + run_.arguments.mesh.string());
       load_mesh(run_, scheduler_);
       const Mesh& mesh = run_.input.mesh;
-      require_memory(run_.arguments.mesh.string(),
-                     memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                    count_samples(mesh, run_.arguments, scheduler_)));
+      announce_memory(run_.arguments.mesh.string(),
+                      memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
+                                     count_samples(mesh, run_.arguments, scheduler_)));
     }
     progress_.stage("drawing " + output_.string());
     const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), have_captions(panels_),

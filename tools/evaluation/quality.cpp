@@ -49,8 +49,8 @@ Likeness compare(const MeshFile& remesh, const std::filesystem::path& original, 
                  Scheduler& scheduler, ProgressLine& progress) {
   Likeness likeness;
   const MeshEdges edges = load(original, likeness.original, scheduler, progress);
-  require_memory(original.string(),
-                 memory_to_judge(remesh.facts.triangles, likeness.original.facts.triangles));
+  announce_memory(original.string(),
+                  memory_to_judge(remesh.facts.triangles, likeness.original.facts.triangles));
   require_area(remesh);
   require_area(likeness.original);
   progress.stage("measuring distances");
@@ -69,7 +69,9 @@ QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::
   QualityRecord record;
   const MeshEdges edges = load(remesh, record.remesh, scheduler, progress);
   record.quality = measure_quality(record.remesh.input.mesh, edges);
-  if (!original.empty()) {
+  if (original.empty()) {
+    announce_memory(remesh.string(), memory_to_judge(record.remesh.facts.triangles, 0));
+  } else {
     record.likeness = compare(record.remesh, original, samples, scheduler, progress);
   }
   progress.clear();

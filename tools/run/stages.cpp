@@ -74,7 +74,7 @@ MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler) {
 
 void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges, std::size_t seeds) {
   run.memory_estimate = estimate_memory(run, edges, seeds, scheduler);
-  require_memory(run.arguments.mesh.string(), run.memory_estimate);
+  announce_memory(run.arguments.mesh.string(), run.memory_estimate);
   const Stopwatch watch;
   const RelaxArguments& a = run.arguments;
   MeshGraphOptions options{value_of(graph_kind_names, a.graph), value_of(norm_names, a.norm), {}};

@@ -25,7 +25,7 @@ constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t large = 1'000'000'000;
 
 std::uint64_t limit = unlimited;
-std::uint64_t told = large;
+bool announced = false;
 std::uint64_t held_at_start = 0;
 std::size_t threads = 0;
 std::optional<rlim_t> data_at_start;
@@ -127,8 +127,12 @@ void require_memory(const std::string& what, std::uint64_t bytes) {
         "graph with fewer arcs, or --memory-limit",
         what, memory_text(bytes), memory_text(limit)));
   }
-  if (bytes <= told) return;
-  told = bytes;
+}
+
+void announce_memory(const std::string& what, std::uint64_t bytes) {
+  require_memory(what, bytes);
+  if (bytes <= large || announced) return;
+  announced = true;
   const char* over_progress = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
   fmt::print(stderr, "{}{}: takes up to {} of memory\n", over_progress, what, memory_text(bytes));
 }

@@ -31,9 +31,12 @@ class LiftedMemoryLimit {
 /// Adds --memory-limit, which calls that.
 void add_memory_option(CLI::App& command);
 
-/// Throws InvalidInput where `bytes` are more than the limit. Says on standard error, once for each
-/// higher number, that a large run begins.
+/// Throws InvalidInput where `bytes` are more than the limit.
 void require_memory(const std::string& what, std::uint64_t bytes);
+
+/// The same for all that a command does, which is known once its mesh has been read. Says on
+/// standard error, once, that a large run begins.
+void announce_memory(const std::string& what, std::uint64_t bytes);
 
 /// What to tell the user when memory has run out.
 std::string out_of_memory_message();
