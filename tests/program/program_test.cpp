@@ -386,6 +386,22 @@ TEST_F(Program, SubdividesAndInforms) {
   EXPECT_NE(info.text.find("Euler characteristic 0, closed"), std::string::npos) << info.text;
 }
 
+// In the order that the usage shows.
+TEST_F(Program, SubdividesWhatFollowsTheSchemes) {
+  const std::string finer = (folder_.path() / "finer.obj").string();
+  const Outcome outcome =
+      geolloyd_with("subdivide -s midpoint,barycentric " + mesh_.string() + " -o " + finer);
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(read_mesh(finer).mesh.triangle_count(), 2000U * 4 * 6);
+}
+
+// A folder that is there may be called anything.
+TEST_F(Program, WritesIntoAFolderNamedLikeAMesh) {
+  fs::create_directory(out("folder.ply"));
+  EXPECT_EQ(relax("--seeds 20", "folder.ply").status, 0);
+  EXPECT_TRUE(fs::exists(out("folder.ply") / "report.json"));
+}
+
 TEST_F(Program, SaysWhatItWasBuiltWith) {
   const std::string facts = geolloyd_with("--version").text;
   EXPECT_EQ(facts.rfind(program_name() + "\n", 0), 0U) << facts;

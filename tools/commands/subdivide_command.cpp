@@ -35,6 +35,20 @@ struct Arguments {
   std::vector<std::string> schemes;
 };
 
+// The last of the schemes makes the largest mesh.
+void check_memory(const std::string& what, const Mesh& mesh,
+                  const std::vector<std::string>& schemes) {
+  std::uint64_t triangles = mesh.triangle_count();
+  std::uint64_t bytes = 0;
+  for (const std::string& name : schemes) {
+    const std::uint64_t pieces = value_of(scheme_names, name).pieces;
+    bytes = memory_to_subdivide(triangles, pieces);
+    require_memory(what, bytes);
+    triangles *= pieces;
+  }
+  announce_memory(what, bytes);
+}
+
 }  // namespace
 
 void add_subdivide_command(CLI::App& program) {
@@ -45,8 +59,10 @@ void add_subdivide_command(CLI::App& program) {
       ->required();
   one_of(command
              ->add_option("-s,--scheme", arguments->schemes,
-                          "midpoint makes 4 triangles of each, barycentric 6; several are done\n"
-                          "in turn")
+                          "midpoint makes 4 triangles of each, barycentric 6; several, separated\n"
+                          "by commas, are done in turn")
+             ->delimiter(',')
+             ->allow_extra_args(false)
              ->required(),
          scheme_names);
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
@@ -55,11 +71,9 @@ void add_subdivide_command(CLI::App& program) {
   command->callback([arguments] {
     check_mesh_target(arguments->output, arguments->mesh);
     Mesh mesh = read_within_limits(arguments->mesh).mesh;
+    check_memory(arguments->output.string(), mesh, arguments->schemes);
     for (const std::string& name : arguments->schemes) {
-      const Scheme scheme = value_of(scheme_names, name);
-      require_memory(arguments->output.string(),
-                     memory_to_subdivide(mesh.triangle_count(), scheme.pieces));
-      mesh = scheme.subdivide(mesh);
+      mesh = value_of(scheme_names, name).subdivide(mesh);
     }
     write_mesh(arguments->output, mesh);
     fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
