@@ -1,15 +1,19 @@
 // Signals at any moment of any command, and runs that go on after them.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -143,13 +147,15 @@ TEST_F(Interruption, LeavesNothingOrAMarkedResultThatCanBeResumed) {
   for (std::size_t run = 0; run < runs(16, 100); ++run) {
     SCOPED_TRACE(run);
     const std::string name = "run" + std::to_string(run);
-    const int signal = run % 2 == 0 ? SIGINT : SIGTERM;
+    const int signal = std::array{SIGINT, SIGTERM, SIGHUP}[run % 3];
     // Some checkpoints are those of the interrupt alone.
-    const std::string checkpoint = run % 3 == 0 ? "60" : "0";
+    const std::string checkpoint = run % 4 == 0 ? "60" : "0";
     const int status = end_at_random(command(name, checkpoint), signal, longest, run);
     ++count[status];
-    if (status == -signal) {
+    if (status == -signal) {  // before the program itself began
       EXPECT_EQ(names_in(out(name)), std::set<std::string>{});
+    } else if (status == 130 && !fs::exists(out(name))) {
+      EXPECT_EQ(read_file(folder_.path() / "text"), "geolloyd: interrupted\n");
     } else if (status == 0) {
       expect_complete(name, expected);
     } else {
@@ -166,6 +172,52 @@ TEST_F(Interruption, LeavesNothingOrAMarkedResultThatCanBeResumed) {
     }
   }
   EXPECT_GT(count[130], 0);
+}
+
+// A relaxation of a mesh that comes through a pipe, and so is read until the test closes that.
+class Reading {
+ public:
+  explicit Reading(const fs::path& folder) : text_(folder / "text"), out_(folder / "out") {
+    const fs::path pipe = folder / "pipe.off";
+    EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    running_.emplace(
+        std::vector<std::string>{"relax", pipe.string(), "-k", "1", "-o", out_.string()}, text_);
+    mesh_.open(pipe);  // waits until the program opens it as well
+  }
+
+  void send(int signal) const { running_->send(signal); }
+  void end_mesh() { (mesh_ << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").close(); }
+  int wait() { return running_->wait(); }
+  [[nodiscard]] std::string text() const { return read_file(text_); }
+  [[nodiscard]] const fs::path& out() const { return out_; }
+
+ private:
+  fs::path text_;
+  fs::path out_;
+  std::optional<Running> running_;
+  std::ofstream mesh_;
+};
+
+TEST(Interrupts, BeforeTheRelaxationEndItAtOnceWithOneLine) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    Reading run(folder.path());
+    run.send(signal);
+    EXPECT_EQ(run.wait(), 130);
+    EXPECT_EQ(run.text(), "geolloyd: interrupted\n");
+    EXPECT_FALSE(fs::exists(run.out()));
+  }
+}
+
+TEST(Interrupts, LeaveARunUnderNohupAlone) {
+  const TemporaryFolder folder;
+  auto* const before = std::signal(SIGHUP, SIG_IGN);
+  Reading run(folder.path());
+  std::signal(SIGHUP, before);
+  run.send(SIGHUP);
+  ::usleep(50'000);
+  run.end_mesh();
+  EXPECT_EQ(run.wait(), 0) << run.text();
 }
 
 TEST_F(Interruption, GoesOnAmongItsFrames) {

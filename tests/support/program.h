@@ -81,8 +81,8 @@ class Program : public testing::Test {
   fs::path mesh_;
 };
 
-// The program in the background; where a folder is given, once that is there: then it catches
-// interrupts.
+// The program in the background; where a folder is given, once that is there: then an interrupt no
+// longer ends it at once.
 class Running {
  public:
   Running(const std::vector<std::string>& arguments, const fs::path& text,
@@ -90,6 +90,7 @@ class Running {
       : id_(::fork()) {
     if (id_ == 0) {
       if (std::freopen(text.c_str(), "w", stdout) == nullptr) ::_exit(126);
+      ::dup2(STDOUT_FILENO, STDERR_FILENO);
       std::vector<char*> argv = {const_cast<char*>(GEOLLOYD_PROGRAM)};
       for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
       argv.push_back(nullptr);

@@ -18,6 +18,7 @@
 #include "tools/commands/commands.h"
 #include "tools/system/available_memory.h"
 #include "tools/system/build_facts.h"
+#include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/standard_streams.h"
 
@@ -144,6 +145,7 @@ void run(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::set_terminate(end_by_exception);
   geolloyd::hold_standard_streams();
+  geolloyd::end_on_interrupts();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is one more thing that cannot be written
   try {
     geolloyd::limit_memory(geolloyd::available_memory());

@@ -2,12 +2,21 @@
 
 namespace geolloyd {
 
-/// From now on the first SIGINT or SIGTERM is only noted, so that work can end in good order. A
-/// further one ends the program at once, unless it comes within half a second: some senders, such
-/// as timeout(1), send each signal twice.
+// An interrupt is SIGINT, SIGTERM or SIGHUP; the last not where it was ignored when the program
+// began, as nohup has it.
+
+/// From now on an interrupt ends the program at once, whatever it does, with one line on standard
+/// error and exit status 130. Nothing is lost or left by that before there are results: a file has
+/// no name until it is complete (file_io.h), and folders are made after catch_interrupts(). So no
+/// function that reads a mesh, builds a graph or chooses seeds needs to ask for interrupts.
+void end_on_interrupts();
+
+/// From now on the first interrupt is only noted, so that work can end in good order. A further one
+/// ends the program at once, unless it comes within half a second: some senders, such as
+/// timeout(1), send each signal twice. To be called after end_on_interrupts().
 void catch_interrupts();
 
-/// True once one of them has come.
+/// True once an interrupt has been noted.
 bool interrupted();
 
 }  // namespace geolloyd
