@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
-namespace geolloyd {
+#include "geolloyd/types.h"
 
-using Vec3 = Eigen::Vector3d;
+namespace geolloyd {
 
 /// Coordinates beyond this are refused: their fourth power, an area squared, must not overflow.
 inline constexpr double largest_coordinate = 1e75;

@@ -11,29 +11,11 @@
 
 namespace geolloyd {
 
-/// A mesh as a file holds it, and what reading it had to do.
-struct LoadedMesh {
-  Mesh mesh;
-  std::string format;              ///< for people: "PLY, binary little endian"
-  std::size_t polygon_count = 0;   ///< faces of four and more corners, split into fans
-  std::size_t welded_corners = 0;  ///< STL only: corners that fell on an earlier one
-};
-
-/// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive).
-///
-/// Polygons become fans of triangles around their first corner, in order, so triangle ids count the
-/// fans. Throws IoError where the file cannot be read, InvalidInput where it cannot be used
-/// (syntax, non-finite or over-large coordinate, index out of range, no triangles), naming file and
-/// line or byte offset. Never takes memory that the size of the file does not warrant.
-LoadedMesh read_mesh(const std::filesystem::path& path);
-
-/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. No
+/// Writes a mesh into an open file, as write_mesh (geolloyd/mesh.h) does; the format is told by the
+/// extension. No
 /// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
 /// STL, which knows float32 only.
 void write_mesh(FileWriter& out, const Mesh& mesh);
-
-/// The same as a file that appears whole or not at all.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
 void check_mesh_name(const std::filesystem::path& path);

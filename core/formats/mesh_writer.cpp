@@ -150,6 +150,7 @@ void write_mesh(FileWriter& out, const Mesh& mesh) {
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+  validate_contents(mesh);
   FileWriter out(path);
   write_mesh(out, mesh);
   out.commit();

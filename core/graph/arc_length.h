@@ -4,12 +4,9 @@
 
 #include "core/base/vec3.h"
 #include "core/mesh/tangent_field.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
-
-/// How the components of a displacement make its length: their root of squares, the sum of their
-/// absolute values, or the largest of these.
-enum class Norm { geodesic, manhattan, linf };
 
 /// Length of displacement `d`; for norms other than geodesic, along the axes of the coordinates.
 double measure(const Vec3& d, Norm norm_kind);

@@ -8,17 +8,9 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/tangent_field.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
-
-/// Which parts of the mesh are nodes, and which of them are joined (thesis, the five graphs):
-/// vertex          vertices; arcs along edges
-/// vertex_dense    and between the two vertices opposite a shared edge
-/// triangle        triangles; arcs across shared edges
-/// triangle_dense  and between triangles that share a vertex, by way of it
-/// mixed           vertices and triangles as in the first and third, and each triangle to its
-/// corners
-enum class GraphKind { vertex, vertex_dense, triangle, triangle_dense, mixed };
 
 inline bool has_vertices(GraphKind kind) {
   return kind == GraphKind::vertex || kind == GraphKind::vertex_dense || kind == GraphKind::mixed;

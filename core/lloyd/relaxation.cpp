@@ -22,11 +22,11 @@ Score lowest_score(const std::vector<Step>& steps) {
 class LloydLoop {
  public:
   LloydLoop(const Graph& graph, Engine& engine, RelaxationState& state,
-            const RelaxationOptions& options, const Observer& observer)
+            const RelaxationOptions& options, const ProgressCallback& observer)
       : graph_(graph), engine_(engine), state_(state), options_(options), observer_(observer) {}
 
-  Relaxation run(const Boundary& boundary) {
-    std::optional<End> end;
+  Relaxation run(const StepCallback& boundary) {
+    std::optional<StopReason> end;
     while (!(end = take_step())) {
       if (boundary) boundary(state_);
     }
@@ -42,19 +42,21 @@ class LloydLoop {
   };
 
   // Returns why there is no next step, or none to its end.
-  std::optional<End> take_step() {
+  std::optional<StopReason> take_step() {
     const Phase phase = next_phase();
-    if (phase == Phase::precise && has_converged()) return End::converged;
-    if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps) return End::limit;
-    if (wanders()) return End::recurred;
+    if (phase == Phase::precise && has_converged()) return StopReason::converged;
+    if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps)
+      return StopReason::limit;
+    if (wanders()) return StopReason::recurred;
     const Stopwatch watch;
     const KernelSeconds before = engine_.seconds();
     begin_step(phase);
-    if (phase == Phase::precise && has_macrostep_from(next_.step.state)) return End::recurred;
+    if (phase == Phase::precise && has_macrostep_from(next_.step.state))
+      return StopReason::recurred;
     is_cut_short_ = !(phase == Phase::greedy ? greedy_step() : macrostep());
     is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0;
     next_.step.seconds = since(before, engine_.seconds(), watch.seconds());
-    if (is_cut_short_) return End::interrupted;
+    if (is_cut_short_) return StopReason::interrupted;
     accept_step();
     return std::nullopt;
   }
@@ -163,9 +165,9 @@ class LloydLoop {
     state_.steps.push_back(std::move(next_.step));
   }
 
-  Relaxation finish(End end) {
+  Relaxation finish(StopReason end) {
     Relaxation result;
-    result.end = end;
+    result.stop_reason = end;
     result.steps = state_.steps;
     result.seeds = state_.seeds;
     if (is_cut_short_) {
@@ -200,7 +202,7 @@ class LloydLoop {
   Engine& engine_;
   RelaxationState& state_;
   const RelaxationOptions& options_;
-  const Observer& observer_;
+  const ProgressCallback& observer_;
   bool is_partitioned_ = false;  // the engine holds the partition of the seeds as they are
   Attempt next_;
   bool is_cut_short_ = false;
@@ -209,13 +211,13 @@ class LloydLoop {
 }  // namespace
 
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
-                 const RelaxationOptions& options, const Observer& observer,
-                 const Boundary& boundary) {
+                 const RelaxationOptions& options, const ProgressCallback& observer,
+                 const StepCallback& boundary) {
   return LloydLoop(graph, engine, state, options, observer).run(boundary);
 }
 
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
-                 const RelaxationOptions& options, const Observer& observer) {
+                 const RelaxationOptions& options, const ProgressCallback& observer) {
   RelaxationState state;
   state.seeds = std::move(seeds);
   return relax(graph, engine, state, options, observer);

@@ -7,8 +7,8 @@
 
 #include "core/graph/graph.h"
 #include "core/lloyd/engine.h"
-#include "core/lloyd/greedy_mode.h"
 #include "core/voronoi/partition.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
 
@@ -24,8 +24,6 @@ struct RelaxationOptions {
   std::uint32_t max_macrosteps = no_limit;
 };
 
-enum class Phase { greedy, precise };
-
 /// One greedy step, or one macrostep of the precise phase.
 struct Step {
   Phase phase = Phase::greedy;
@@ -36,15 +34,6 @@ struct Step {
   std::uint64_t state = 0;            ///< digest of the partition at its start
   std::vector<Microstep> microsteps;  ///< precise phase only
   KernelSeconds seconds;
-};
-
-/// Why a relaxation ended.
-enum class End {
-  converged,    ///< a macrostep ended with the seeds with which it began
-  interrupted,  ///< the observer asked for it
-  limit,        ///< of steps, in the options
-  recurred      ///< the seeds came back to where they had been before, or 100 macrosteps lowered
-                ///< no score: it would go on for ever, or nearly so
 };
 
 /// A relaxation between two steps: all that the rest of its course depends on, whatever engine
@@ -64,39 +53,28 @@ struct Relaxation {
   Partition partition;  ///< of `seeds`, regions free
   std::vector<Score> region_score;
   double energy = 0;  ///< sum of mass * distance^2, mesh units
-  End end = End::converged;
+  StopReason stop_reason = StopReason::converged;
   std::vector<Step> steps;
   /// Chains the digests of the states at the start of each step, in their order, and at last that
   /// of the result, even where the result is one of them.
   std::uint64_t fingerprint = 0;
 };
 
-/// Where a relaxation stands: after each greedy step, and now and then during a macrostep.
-struct Progress {
-  Phase phase;
-  std::uint32_t step;  ///< counts from 1 in each phase
-  std::uint32_t seeds_moving;
-  double energy;  ///< at the start of the step
-};
-
-/// Returns false to stop as soon as possible. Called by the thread that called relax().
-using Observer = std::function<bool(const Progress&)>;
-
 /// Called after each step that was taken to its end.
-using Boundary = std::function<void(const RelaxationState&)>;
+using StepCallback = std::function<void(const RelaxationState&)>;
 
 /// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
 /// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. The result
 /// is the best state met, also where the relaxation converges: the greedy phase may raise the
 /// score.
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
-                 const RelaxationOptions& options, const Observer& observer = {});
+                 const RelaxationOptions& options, const ProgressCallback& observer = {});
 
 /// The same from any state of it, with the same seeds at first and the same options: course, result
 /// and fingerprint are those of a relaxation never left. Limits may be others; a precise phase that
 /// has begun stays. `state`, at first no more than seeds, becomes that after the last whole step.
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
-                 const RelaxationOptions& options, const Observer& observer = {},
-                 const Boundary& boundary = {});
+                 const RelaxationOptions& options, const ProgressCallback& observer = {},
+                 const StepCallback& boundary = {});
 
 }  // namespace geolloyd

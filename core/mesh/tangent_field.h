@@ -3,18 +3,9 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
-
-/// An anisotropic metric at one place: a displacement d costs what (tangent_magnitude * tangent.d,
-/// bitangent_magnitude * bitangent.d) measures. Directions have length 1, or 0 where the file has
-/// no direction. The signs of the directions mean nothing, nor which of the two comes first.
-struct TangentSpace {
-  Vec3 tangent;
-  Vec3 bitangent;
-  double tangent_magnitude = 1;
-  double bitangent_magnitude = 1;
-};
 
 /// The mean of two spaces: of the quarter turns of `b` and of its mirror image, which are all the
 /// same metric, the one whose directions are nearest to those of `a` (the first where several are)

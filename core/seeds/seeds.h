@@ -7,17 +7,9 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/voronoi/growing_search.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
-
-/// How the first seeds are chosen.
-enum class SeedInit {
-  random,            ///< uniformly over nodes (the thesis)
-  random_area,       ///< with chances by mass
-  farthest,          ///< each the node farthest from all before it (Gonzalez 1985)
-  kmeans_plus_plus,  ///< with chances by mass * distance^2 to those before (Arthur, Vassilvitskii
-                     ///< 2007)
-};
 
 /// `count` different nodes. Each component gets one, each further seed goes to the component with
 /// the most mass per seed. The same for the same arguments everywhere; ties go to the smaller node.

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "core/base/executor.h"
+#include "geolloyd/threads.h"
 #include "parallel/threads/backends.h"
 
 namespace geolloyd {
-
-/// Whose threads do the work: oneTBB's or OpenMP's.
-enum class Backend { tbb, openmp };
 
 /// The threads of this machine as an executor. The results of a stage never depend on the number of
 /// threads, on the backend, or on who did what.

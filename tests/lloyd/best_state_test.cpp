@@ -77,7 +77,7 @@ TEST(BestState, IsTheResultOfARelaxationThatConverges) {
         const auto engine = make_reference_engine(graph);
         const Course course = follow(graph, *engine, seeds, options);
         const Relaxation& result = course.result;
-        ASSERT_EQ(result.end, End::converged);
+        ASSERT_EQ(result.stop_reason, StopReason::converged);
         ASSERT_LE(result.energy, result.steps.front().energy);
         const std::size_t best = best_step(result.steps);
         ASSERT_EQ(total(result), result.steps[best].score);

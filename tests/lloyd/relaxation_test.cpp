@@ -23,7 +23,7 @@ namespace {
 constexpr std::array all_modes = {GreedyMode::off, GreedyMode::standard, GreedyMode::extended};
 
 Relaxation run(const Graph& graph, const std::vector<NodeId>& seeds,
-               const RelaxationOptions& options = {}, const Observer& observer = {}) {
+               const RelaxationOptions& options = {}, const ProgressCallback& observer = {}) {
   const auto engine = make_reference_engine(graph);
   return relax(graph, *engine, seeds, options, observer);
 }
@@ -62,29 +62,29 @@ std::size_t steps_in(const Relaxation& result, Phase phase) {
 
 // The whole definition against a second, independent writing of it.
 TEST(Relaxation, AgreesWithBruteForceStepByStep) {
-  for_random_cases_in_all_modes(
-      [](const Graph& graph, const std::vector<NodeId>& seeds, const RelaxationOptions& options) {
-        const Relaxation result = run(graph, seeds, options);
-        const naive::History expected = naive::relax(graph, seeds, options);
-        ASSERT_EQ(result.end, expected.recurred ? End::recurred : End::converged);
-        ASSERT_EQ(steps_in(result, Phase::greedy), expected.greedy.size());
-        ASSERT_EQ(steps_in(result, Phase::precise), expected.macro.size());
-        ASSERT_EQ(result.seeds, naive::best_state(graph, expected));
-        for (std::size_t i = 0; i < result.steps.size(); ++i) {
-          const Step& step = result.steps[i];
-          const bool greedy = i < expected.greedy.size();
-          const std::size_t macro = i - expected.greedy.size();
-          const auto& at_start = greedy ? expected.greedy[i] : expected.macro[macro];
-          const Partition p = naive::partition(graph, at_start);
-          Score score = 0;
-          for (RegionId r = 0; r < seeds.size(); ++r) score += naive::score(graph, p, r);
-          ASSERT_EQ(step.score, score) << i;
-          ASSERT_EQ(step.state, digest(at_start, p)) << i;  // seeds, regions, distances, parents
-          if (!greedy) {
-            ASSERT_EQ(step.microsteps.size(), expected.microsteps[macro]);
-          }
-        }
-      });
+  for_random_cases_in_all_modes([](const Graph& graph, const std::vector<NodeId>& seeds,
+                                   const RelaxationOptions& options) {
+    const Relaxation result = run(graph, seeds, options);
+    const naive::History expected = naive::relax(graph, seeds, options);
+    ASSERT_EQ(result.stop_reason, expected.recurred ? StopReason::recurred : StopReason::converged);
+    ASSERT_EQ(steps_in(result, Phase::greedy), expected.greedy.size());
+    ASSERT_EQ(steps_in(result, Phase::precise), expected.macro.size());
+    ASSERT_EQ(result.seeds, naive::best_state(graph, expected));
+    for (std::size_t i = 0; i < result.steps.size(); ++i) {
+      const Step& step = result.steps[i];
+      const bool greedy = i < expected.greedy.size();
+      const std::size_t macro = i - expected.greedy.size();
+      const auto& at_start = greedy ? expected.greedy[i] : expected.macro[macro];
+      const Partition p = naive::partition(graph, at_start);
+      Score score = 0;
+      for (RegionId r = 0; r < seeds.size(); ++r) score += naive::score(graph, p, r);
+      ASSERT_EQ(step.score, score) << i;
+      ASSERT_EQ(step.state, digest(at_start, p)) << i;  // seeds, regions, distances, parents
+      if (!greedy) {
+        ASSERT_EQ(step.microsteps.size(), expected.microsteps[macro]);
+      }
+    }
+  });
 }
 
 TEST(Relaxation, EndsWithACertifiedPartitionOfItsSeeds) {
@@ -138,7 +138,7 @@ TEST(Relaxation, ConvergesToLocalCentroids) {
     RelaxationState state;
     state.seeds = seeds;
     const auto engine = make_reference_engine(graph);
-    if (relax(graph, *engine, state, options).end != End::converged) return;
+    if (relax(graph, *engine, state, options).stop_reason != StopReason::converged) return;
     const Partition last = naive::partition(graph, state.seeds);
     const std::vector<RegionId> regions = naive::regions_of(last);
     for (RegionId r = 0; r < state.seeds.size(); ++r) {
@@ -165,9 +165,9 @@ TEST(Relaxation, StandsOneNodeAllNodesSeedsAndIsolatedNodes) {
   const Relaxation all = run(grid_graph(2, 2), {3, 1, 0, 2});
   EXPECT_EQ(all.seeds, (std::vector<NodeId>{3, 1, 0, 2}));
   EXPECT_EQ(all.energy, 0);
-  EXPECT_EQ(all.end, End::converged);
+  EXPECT_EQ(all.stop_reason, StopReason::converged);
   const Graph apart = make_graph({}, std::vector<double>(3, 1.0));
-  EXPECT_EQ(run(apart, {2, 0, 1}).end, End::converged);
+  EXPECT_EQ(run(apart, {2, 0, 1}).stop_reason, StopReason::converged);
 }
 
 TEST(Relaxation, TracesWhatItDid) {
@@ -203,12 +203,12 @@ TEST(Relaxation, StopsWhenToldWithTheBestStateSoFar) {
   for (int calls : {1, 5, 20, 30, 60}) {
     int left = calls;
     const Relaxation part = run(graph, seeds, {}, [&](const Progress&) { return --left > 0; });
-    ASSERT_EQ(part.end, End::interrupted) << calls;
+    ASSERT_EQ(part.stop_reason, StopReason::interrupted) << calls;
     EXPECT_FALSE(check_partition(graph, part.seeds, part.partition, Regions::free).has_value());
     for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
-    EXPECT_EQ(run(graph, part.seeds).end, End::converged);
+    EXPECT_EQ(run(graph, part.seeds).stop_reason, StopReason::converged);
   }
-  EXPECT_EQ(whole.end, End::converged);
+  EXPECT_EQ(whole.stop_reason, StopReason::converged);
 }
 
 Relaxation resume(const Graph& graph, RelaxationState state, const RelaxationOptions& options) {
@@ -252,7 +252,7 @@ TEST(Relaxation, GoesOnFromTheLastBoundaryBeforeAnInterrupt) {
       int left = last;
       const Relaxation part =
           relax(graph, *engine, state, options, [&](const Progress&) { return --left > 0; });
-      ASSERT_EQ(part.end, End::interrupted);
+      ASSERT_EQ(part.stop_reason, StopReason::interrupted);
       ASSERT_EQ(part.steps.size(), state.steps.size() + 1);
       expect_same(whole, resume(graph, state, options));
     }
@@ -269,7 +269,7 @@ TEST(Relaxation, GoesBeyondALimitItWasStoppedAt) {
   for (options.max_macrosteps = 1; options.max_macrosteps < 100; ++options.max_macrosteps) {
     const Relaxation part = relax(graph, *engine, state, options);
     ASSERT_EQ(steps_in(part, Phase::precise), state.steps.size() - steps_in(part, Phase::greedy));
-    if (part.end == End::limit) continue;
+    if (part.stop_reason == StopReason::limit) continue;
     expect_same(whole, part);
     return;
   }
@@ -282,7 +282,7 @@ TEST(Relaxation, KeepsToItsLimits) {
   options.max_greedy_steps = 2;
   options.max_macrosteps = 1;
   const Relaxation result = run(graph, {0, 1, 2, 3}, options);
-  EXPECT_EQ(result.end, End::limit);
+  EXPECT_EQ(result.stop_reason, StopReason::limit);
   EXPECT_EQ(steps_in(result, Phase::greedy), 2U);
   EXPECT_EQ(steps_in(result, Phase::precise), 1U);
   options.max_greedy_steps = options.max_macrosteps = 0;
@@ -317,7 +317,7 @@ TEST(Relaxation, NoticesSeedsThatComeBack) {
   state.seeds = {0};
   for (const std::string time : {"first", "resumed"}) {
     const Relaxation result = relax(grid_graph(1, 2), engine, state, {});
-    EXPECT_EQ(result.end, End::recurred) << time;
+    EXPECT_EQ(result.stop_reason, StopReason::recurred) << time;
     EXPECT_EQ(steps_in(result, Phase::precise), 2U) << time;
   }
 }
@@ -333,7 +333,7 @@ TEST(Relaxation, EndsWhereNothingIsBetter) {
   options.greedy = GreedyMode::off;
   options.macrostep_skip = false;
   const Relaxation result = run(graph, random_nodes(1, 60, 9), options);
-  EXPECT_EQ(result.end, End::recurred);
+  EXPECT_EQ(result.stop_reason, StopReason::recurred);
   EXPECT_LE(result.steps.size(), 101U);  // and not thousands
 }
 
@@ -344,7 +344,7 @@ TEST(Relaxation, MakesEvenRegionsOnTheSphere) {
   const auto seeds =
       choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest, 12, 1);
   const Relaxation result = run(made.graph, seeds);
-  EXPECT_EQ(result.end, End::converged);
+  EXPECT_EQ(result.stop_reason, StopReason::converged);
   std::vector<int> size(12, 0);
   for (const Key key : result.partition.key) ++size[region_of(key)];
   for (const int s : size) EXPECT_NEAR(s, static_cast<double>(mesh.vertex_count()) / 12, 300);

@@ -51,7 +51,7 @@ TEST_P(Thesis, EnergiesAreThoseOfTheOriginalProgram) {
                                  connected_components(made.graph));
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
-  EXPECT_EQ(result.end, End::converged);
+  EXPECT_EQ(result.stop_reason, StopReason::converged);
   // Graphs that cross edges start a little apart: the original measures chords there.
   const double start_tolerance = expected.kind == GraphKind::vertex ? 1e-6 : 0.01;
   EXPECT_NEAR(result.steps.front().energy / expected.before, 1, start_tolerance);
@@ -72,7 +72,7 @@ TEST(ThesisField, OfTheHippoConverges) {
                   made, connected_components(made.graph));
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
-  EXPECT_EQ(result.end, End::converged);
+  EXPECT_EQ(result.stop_reason, StopReason::converged);
   EXPECT_LT(result.energy, 0.5 * result.steps.front().energy);
 }
 

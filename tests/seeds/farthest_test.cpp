@@ -80,7 +80,7 @@ TEST(Farthest, NumberOfSeedsIsThatOfTheNodes) {
   std::vector<NodeId> seeds(graph.node_count());
   std::iota(seeds.rbegin(), seeds.rend(), NodeId{0});
   const Relaxation result = relax_by_reference(graph, seeds, {});
-  EXPECT_EQ(result.end, End::converged);
+  EXPECT_EQ(result.stop_reason, StopReason::converged);
   EXPECT_EQ(result.seeds, seeds);
   expect_agreement(graph, seeds, {});
 }

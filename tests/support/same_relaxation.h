@@ -21,7 +21,7 @@ inline void expect_same(const Relaxation& expected, const Relaxation& tested) {
     ASSERT_EQ(e.microsteps, t.microsteps) << "step " << i;
   }
   ASSERT_EQ(expected.fingerprint, tested.fingerprint);
-  ASSERT_EQ(expected.end, tested.end);
+  ASSERT_EQ(expected.stop_reason, tested.stop_reason);
   ASSERT_EQ(expected.seeds, tested.seeds);
   ASSERT_EQ(expected.partition.key, tested.partition.key);
   ASSERT_EQ(expected.partition.parent, tested.partition.parent);

@@ -44,11 +44,11 @@ const std::vector<Named<SeedInit>> seed_init_names = {
     {"random", SeedInit::random},
 };
 
-const std::vector<Named<End>> end_names = {
-    {"converged", End::converged},
-    {"interrupted", End::interrupted},
-    {"limit", End::limit},
-    {"recurred", End::recurred},
+const std::vector<Named<StopReason>> stop_reason_names = {
+    {"converged", StopReason::converged},
+    {"interrupted", StopReason::interrupted},
+    {"limit", StopReason::limit},
+    {"recurred", StopReason::recurred},
 };
 
 const std::vector<Named<Frontier>> frontier_names = {
@@ -58,7 +58,7 @@ const std::vector<Named<Frontier>> frontier_names = {
     {"auto", Frontier::automatic},
 };
 
-const std::vector<Named<Backend>> backend_names = {
+const std::vector<Named<Backend>> backstop_reason_names = {
     {"tbb", Backend::tbb},
     {"openmp", Backend::openmp},
 };

@@ -182,7 +182,7 @@ class Batches {
     const MeasuredRun measured = measure_run(
         value_of(engine_names, a.engine), value_of(frontier_names, a.frontier), scheduler_,
         run_.mesh_graph.graph, first, options_of(a, c), watcher(progress_, first.size()));
-    if (measured.relaxation.end == End::interrupted) return;
+    if (measured.relaxation.stop_reason == StopReason::interrupted) return;
     row.add(measured.relaxation, measured.seconds);
   }
 

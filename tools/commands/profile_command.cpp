@@ -101,7 +101,7 @@ Json json_of(const EngineProfile& profile, const RelaxArguments& a) {
           {"threads", profile.threads},
           {"seconds", profile.run.seconds},
           {"fingerprint", fingerprint_text(relaxation.fingerprint)},
-          {"end", name_of(end_names, relaxation.end)},
+          {"end", name_of(stop_reason_names, relaxation.stop_reason)},
           {"phases", phase_rows(relaxation)},
           {"steps", step_rows(relaxation)}};
 }

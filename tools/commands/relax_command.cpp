@@ -33,15 +33,15 @@ void make_remesh(RunRecord& run, Scheduler& scheduler, Engine& engine) {
   run.seconds.remesh = watch.seconds();
 }
 
-const char* describe(End end) {
+const char* describe(StopReason end) {
   switch (end) {
-    case End::converged:
+    case StopReason::converged:
       return "converged";
-    case End::interrupted:
+    case StopReason::interrupted:
       return "INTERRUPTED, best state so far,";
-    case End::limit:
+    case StopReason::limit:
       return "stopped at the limit of macrosteps, best state so far,";
-    case End::recurred:
+    case StopReason::recurred:
       return "STOPPED, the seeds wander between equally good states; the best state";
   }
   return "";
@@ -93,7 +93,7 @@ void print_summary(const RunRecord& run) {
     fmt::print("  {:<12}after {}, {:.2f} s\n", "resumed",
                counted(run.resumed->steps, "step", "steps"), run.resumed->seconds);
   }
-  fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(result.end),
+  fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(result.stop_reason),
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));

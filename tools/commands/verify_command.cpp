@@ -70,7 +70,7 @@ void run_verify(const RelaxArguments& arguments) {
   }
   progress.clear();
   print_agreement(run, pair);
-  if (run.relaxation.end == End::interrupted) throw InterruptedExit{};
+  if (run.relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
 }
 
 }  // namespace

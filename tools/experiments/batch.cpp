@@ -30,7 +30,7 @@ std::size_t seed_count(std::string_view text, const std::string& item) {
 void BatchRow::add(const Relaxation& relaxation, double elapsed) {
   const StepCounts steps = count_steps(relaxation);
   ++batches;
-  converged += relaxation.end == End::converged ? 1 : 0;
+  converged += relaxation.stop_reason == StopReason::converged ? 1 : 0;
   seconds.add(elapsed);
   greedy_steps.add(static_cast<double>(steps.greedy));
   macrosteps.add(static_cast<double>(steps.macro));

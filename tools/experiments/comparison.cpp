@@ -58,7 +58,7 @@ Comparison compare(std::vector<Contender> contenders, std::size_t turns, const G
       Scheduler scheduler(c.threads, c.backend);
       const MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds,
                                                options, watcher(progress, seeds.size()));
-      if (measured.relaxation.end == End::interrupted) break;
+      if (measured.relaxation.stop_reason == StopReason::interrupted) break;
       if (contenders.front().seconds.empty()) comparison.steps = count_steps(measured.relaxation);
       note(measured, c, contenders.front().fingerprint);
     }

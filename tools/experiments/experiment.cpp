@@ -66,7 +66,7 @@ void finish_experiment(const ExperimentOutput& output, const std::string& name) 
   if (!output.no_plot) draw_plot(json);
 }
 
-Observer watcher(ProgressLine& progress, std::size_t seeds) {
+ProgressCallback watcher(ProgressLine& progress, std::size_t seeds) {
   return [&progress, seeds](const Progress& p) {
     progress.show(p, seeds);
     return !interrupted();

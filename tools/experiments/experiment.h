@@ -47,7 +47,7 @@ void drop_repeats(std::vector<Value>& list) {
 }
 
 /// Says on the terminal how far a relaxation is, and ends it when an interrupt came.
-Observer watcher(ProgressLine& progress, std::size_t seeds);
+ProgressCallback watcher(ProgressLine& progress, std::size_t seeds);
 
 /// "1.35 s", "24.5 ms".
 std::string duration_text(double seconds);

@@ -79,7 +79,7 @@ Json make_report(const RunRecord& run) {
   report["options"]["manifold"] = run.arguments.manifold;
   report["options"]["remesh_vertices"] = run.arguments.remesh_vertices;
   report["graph"] = graph_part(run.mesh_graph.graph, run.components);
-  report["end"] = name_of(end_names, relaxation.end);
+  report["end"] = name_of(stop_reason_names, relaxation.stop_reason);
   report["interrupted"] = run.interrupted;
   report["resumed"] = resumed_part(run);
   report["steps"] = steps_part(count_steps(relaxation));

@@ -16,7 +16,7 @@ std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Schedule
 
 MeasuredRun measure_run(EngineKind kind, Frontier frontier, Scheduler& scheduler,
                         const Graph& graph, std::vector<NodeId> seeds,
-                        const RelaxationOptions& options, const Observer& observer) {
+                        const RelaxationOptions& options, const ProgressCallback& observer) {
   forget_peak_memory();
   MeasuredRun run;
   const Stopwatch watch;

@@ -22,6 +22,6 @@ struct MeasuredRun {
 /// Makes a new engine and relaxes with it; both count as time.
 MeasuredRun measure_run(EngineKind kind, Frontier frontier, Scheduler& scheduler,
                         const Graph& graph, std::vector<NodeId> seeds,
-                        const RelaxationOptions& options, const Observer& observer);
+                        const RelaxationOptions& options, const ProgressCallback& observer);
 
 }  // namespace geolloyd

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "geolloyd/types.h"
+
+namespace geolloyd {
+
+/// Which parts of the mesh are nodes, and which of them are joined (thesis, the five graphs):
+/// vertex          vertices; arcs along edges
+/// vertex_dense    and between the two vertices opposite a shared edge
+/// triangle        triangles; arcs across shared edges
+/// triangle_dense  and between triangles that share a vertex, by way of it
+/// mixed           vertices and triangles as in the first and third, and each triangle to its
+/// corners
+enum class GraphKind { vertex, vertex_dense, triangle, triangle_dense, mixed };
+
+/// How the components of a displacement make its length: their root of squares, the sum of their
+/// absolute values, or the largest of these.
+enum class Norm { geodesic, manhattan, linf };
+
+/// An anisotropic metric at one place: a displacement d costs the norm of (tangent_magnitude *
+/// tangent.d, bitangent_magnitude * bitangent.d). Directions have length 1, or 0 for no direction.
+/// The metric does not depend on the sign, order or handedness of the two directions.
+struct TangentSpace {
+  Vec3 tangent;
+  Vec3 bitangent;
+  double tangent_magnitude = 1;
+  double bitangent_magnitude = 1;
+};
+
+/// How the first seeds are chosen.
+enum class SeedInit {
+  random,            ///< uniformly over nodes (the thesis)
+  random_area,       ///< with chances by mass
+  farthest,          ///< each the node farthest from all before it (Gonzalez 1985)
+  kmeans_plus_plus,  ///< with chances by mass * distance^2 to those before (Arthur, Vassilvitskii
+                     ///< 2007)
+};
+
+/// The greedy phase: left out, or with the standard or the extended heuristic (thesis; formulas in
+/// core/lloyd/seed_move.h). The precise phase uses the same heuristic; where there is no greedy
+/// phase, the extended one.
+enum class GreedyMode { off, standard, extended };
+
+/// The mode that suits first seeds chosen in this way. Farthest-point seeds are spread so evenly
+/// that a greedy phase takes more time than all the rest and often raises the energy; from the
+/// others it lowers the energy (bench/README.md, "When the greedy phase pays").
+constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
+  return init == SeedInit::farthest ? GreedyMode::off : GreedyMode::extended;
+}
+
+enum class Phase { greedy, precise };
+
+/// Why a relaxation ended.
+enum class StopReason {
+  converged,    ///< a macrostep ended with the seeds with which it began
+  interrupted,  ///< the progress callback asked for it
+  limit,        ///< of steps, in the options
+  recurred      ///< the seeds came back to an earlier state, or 100 macrosteps lowered no energy
+};
+
+/// Where a relaxation stands. Reported after each greedy step, and now and then during a macrostep
+/// of the precise phase.
+struct Progress {
+  Phase phase;
+  std::uint32_t step;  ///< counts from 1 in each phase
+  std::uint32_t seeds_moving;
+  double energy;  ///< at the start of the step
+};
+
+/// Called by the calling thread now and then. False stops the work as soon as possible; the result
+/// is then the best state met. An exception ends the work and reaches the caller.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+}  // namespace geolloyd

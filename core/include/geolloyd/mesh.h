@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geolloyd/types.h"
+
+namespace geolloyd {
+
+/// Three vertices, counter-clockwise seen from outside.
+using Triangle = std::array<VertexId, 3>;
+
+/// Triangles with shared vertices, in input order. Coordinates are finite and at most 1e75;
+/// vertices of triangles are below positions.size(). Nothing else is required: holes, several
+/// components, triangles without area and non-manifold edges are all handled.
+struct Mesh {
+  std::vector<Vec3> positions;  ///< mesh units
+  std::vector<Triangle> triangles;
+
+  [[nodiscard]] std::size_t vertex_count() const { return positions.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles.size(); }
+};
+
+/// Throws InvalidInput where a mesh made by hand breaks one of these rules, or has no triangle. The
+/// message names the vertex or triangle. All functions that take a mesh of the user call this.
+void validate(const Mesh& mesh);
+
+/// A mesh as a file holds it, and what reading it had to do.
+struct LoadedMesh {
+  Mesh mesh;
+  std::string format;              ///< for people: "PLY, binary little endian"
+  std::size_t polygon_count = 0;   ///< faces of four and more corners, split into triangles
+  std::size_t welded_corners = 0;  ///< STL only: corners that fell on an earlier one
+};
+
+/// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive).
+///
+/// A polygon becomes triangles, in order, so triangle ids count those. Throws IoError where the
+/// file cannot be read, InvalidInput where it cannot be used (syntax, non-finite or over-large
+/// coordinate, index out of range, no triangles), naming file and line or byte offset. Never takes
+/// memory that the size of the file does not warrant.
+LoadedMesh read_mesh(const std::filesystem::path& path);
+
+/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. The file
+/// appears whole or not at all. No coordinate loses a digit, except in STL, which knows float32
+/// only. Throws IoError where the file cannot be written, InvalidInput where the mesh is not valid.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+}  // namespace geolloyd

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geolloyd/types.h"
+
+namespace geolloyd {
+
+class Engine;
+class Executor;
+class GrowingSearch;
+struct Graph;
+
+/// Who computes: the calling thread by the sequential reference engine, or threads by the parallel
+/// engine (Threads, geolloyd/threads.h). A result is the same to the bit with every runtime; only
+/// the time differs. One thread at a time may use a runtime.
+class Runtime {
+ public:
+  Runtime() = default;
+  Runtime(const Runtime&) = delete;
+  Runtime& operator=(const Runtime&) = delete;
+  virtual ~Runtime() = default;
+
+  // For the library. The engine and the search refer to the graph and to this.
+  virtual Executor& executor() = 0;
+  virtual std::unique_ptr<Engine> make_engine(const Graph& graph) = 0;
+  virtual std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) = 0;
+};
+
+/// The calling thread alone: the sequential reference. It is simple, and many times slower than
+/// Threads. It has no state.
+Runtime& reference_runtime();
+
+}  // namespace geolloyd

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geolloyd/choices.h"
+#include "geolloyd/mesh.h"
+#include "geolloyd/runtime.h"
+#include "geolloyd/types.h"
+
+namespace geolloyd {
+
+struct TessellateOptions {
+  std::size_t seed_count = 0;  ///< number of regions, at least 1; unless first seeds are given
+  std::vector<InputId> first_seeds;  ///< different; each component of the mesh has one
+  SeedInit init = SeedInit::farthest;
+  std::uint64_t random_seed = 1;
+
+  GraphKind graph = GraphKind::vertex;
+  Norm norm = Norm::geodesic;
+  std::vector<TangentSpace> field;  ///< one per vertex, or none: an isotropic metric
+
+  std::optional<GreedyMode>
+      greedy;  ///< none: the mode suggested for `init` (suggested_greedy_mode)
+  std::uint32_t max_greedy_steps = no_id;
+  std::uint32_t max_macrosteps = no_id;
+  ProgressCallback progress;
+};
+
+/// One region, in mesh units.
+struct Region {
+  InputId seed = no_id;
+  std::size_t nodes = 0;
+  double area = 0;    ///< of the mixed graph, twice the surface's
+  double energy = 0;  ///< sum of mass * distance^2
+};
+
+/// Regions of a mesh, each with its seed. Everything speaks input ids (types.h).
+struct Tessellation {
+  std::vector<Region> regions;
+  std::vector<RegionId> region;  ///< per input id; no_id: a vertex of no triangle, or no seed near
+  std::vector<double> distance;  ///< per input id: along the graph to the seed, mesh units; or inf
+  std::vector<InputId> parent;   ///< per input id: the next one on the way to the seed, or no_id
+  double initial_energy = 0;     ///< of the first seeds
+  double energy = 0;             ///< never more than initial_energy
+  StopReason stop_reason = StopReason::converged;
+  std::uint64_t fingerprint = 0;  ///< of the whole course; the same on every machine
+
+  std::shared_ptr<const struct TessellatedGraph> internals;  ///< what remesh() goes on from
+};
+
+/// Moves seeds to the centroids of their regions until none moves (Rapetta; the definition is in
+/// core/lloyd/relaxation.h). Throws InvalidInput with a sentence where the mesh or an option is
+/// not usable: no seeds, repeated or unknown ones, fewer seeds than components, more than nodes, a
+/// field of another length or with values that are not finite.
+Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options,
+                        Runtime& runtime = reference_runtime());
+
+/// The regions of the first seeds as they are: the graph Voronoi diagram.
+Tessellation voronoi(const Mesh& mesh, TessellateOptions options,
+                     Runtime& runtime = reference_runtime());
+
+}  // namespace geolloyd

@@ -1,0 +1,110 @@
+#include "core/library/tessellated_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "core/graph/components.h"
+#include "core/remesh/tessellation.h"
+#include "geolloyd/errors.h"
+
+namespace geolloyd {
+namespace {
+
+[[noreturn]] void refuse_seed(std::size_t index, InputId id, const std::string& what) {
+  throw InvalidInput("first_seeds[" + std::to_string(index) + "] = " + std::to_string(id) + ": " +
+                     what);
+}
+
+// A component without a seed would have no region, without a word.
+void check_components(const MeshGraph& mesh_graph, const Components& components,
+                      std::span<const NodeId> seeds) {
+  std::vector<bool> has_seed(components.size(), false);
+  for (const NodeId s : seeds) has_seed[components.component_of[s]] = true;
+  const auto missing = std::find(has_seed.begin(), has_seed.end(), false);
+  if (missing == has_seed.end()) return;
+  const auto nodes = components.nodes(static_cast<std::size_t>(missing - has_seed.begin()));
+  throw InvalidInput("first_seeds: a connected component has no seed: add one, such as input id " +
+                     std::to_string(mesh_graph.input_id[nodes.front()]));
+}
+
+bool has_usable_values(const TangentSpace& space) {
+  const auto all = [](const Vec3& v) {
+    return is_usable(v.x()) && is_usable(v.y()) && is_usable(v.z());
+  };
+  return all(space.tangent) && all(space.bitangent) && is_usable(space.tangent_magnitude) &&
+         is_usable(space.bitangent_magnitude) && space.tangent_magnitude >= 0 &&
+         space.bitangent_magnitude >= 0;
+}
+
+}  // namespace
+
+std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components& components,
+                                   std::span<const InputId> seeds) {
+  std::vector<NodeId> nodes;
+  std::vector<bool> is_taken(mesh_graph.graph.node_count(), false);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    if (seeds[i] >= mesh_graph.node_of.size()) {
+      refuse_seed(i, seeds[i],
+                  "input ids go from 0 to " + std::to_string(mesh_graph.node_of.size() - 1));
+    }
+    const NodeId node = mesh_graph.node_of[seeds[i]];
+    if (node == no_id) {
+      refuse_seed(i, seeds[i],
+                  "a vertex of no triangle, or a triangle naming a vertex twice, cannot be a seed");
+    }
+    if (is_taken[node]) refuse_seed(i, seeds[i], "is a seed already");
+    is_taken[node] = true;
+    nodes.push_back(node);
+  }
+  check_components(mesh_graph, components, nodes);
+  return nodes;
+}
+
+void validate_field(std::span<const TangentSpace> field, std::size_t vertex_count) {
+  if (field.empty()) return;
+  if (field.size() != vertex_count) {
+    throw InvalidInput("field: " + std::to_string(field.size()) + " tangent spaces for " +
+                       std::to_string(vertex_count) + " vertices: give one per vertex, or none");
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (has_usable_values(field[v])) continue;
+    throw InvalidInput("field[" + std::to_string(v) +
+                       "]: directions must be finite, magnitudes finite and not negative");
+  }
+}
+
+Tessellation describe(TessellatedGraph tessellated) {
+  const auto internals = std::make_shared<const TessellatedGraph>(std::move(tessellated));
+  const MeshGraph& made = internals->mesh_graph;
+  const Relaxation& relaxation = internals->relaxation;
+  Tessellation result;
+  for (const RegionSummary& region : summarise_regions(made.graph, relaxation.partition,
+                                                       relaxation.seeds, relaxation.region_score)) {
+    result.regions.push_back(
+        {made.input_id[region.seed], region.node_count, region.area, region.energy});
+  }
+  const std::size_t ids = made.node_of.size();
+  result.region.assign(ids, no_id);
+  result.distance.assign(ids, std::numeric_limits<double>::infinity());
+  result.parent.assign(ids, no_id);
+  for (NodeId v = 0; v < made.graph.node_count(); ++v) {
+    const Key key = relaxation.partition.key[v];
+    if (key == unreached) continue;
+    const InputId id = made.input_id[v];
+    result.region[id] = region_of(key);
+    result.distance[id] = distance_of(key) * made.graph.tick_length;
+    const NodeId parent = relaxation.partition.parent[v];
+    if (parent != no_id) result.parent[id] = made.input_id[parent];
+  }
+  result.initial_energy =
+      relaxation.steps.empty() ? relaxation.energy : relaxation.steps.front().energy;
+  result.energy = relaxation.energy;
+  result.stop_reason = relaxation.stop_reason;
+  result.fingerprint = relaxation.fingerprint;
+  result.internals = internals;
+  return result;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
+#include "core/lloyd/relaxation.h"
+#include "geolloyd/tessellate.h"
+
+namespace geolloyd {
+
+/// What a Tessellation keeps for those who go on from it: the graph, and the relaxation in its
+/// terms (nodes, ticks).
+struct TessellatedGraph {
+  MeshGraph mesh_graph;
+  Relaxation relaxation;
+};
+
+/// First seeds of a user, by input id, as nodes in their order. Throws InvalidInput where one is
+/// unknown, without a node or repeated, where there is none, or where a component has none.
+std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components& components,
+                                   std::span<const InputId> seeds);
+
+/// Throws InvalidInput where `field` is neither empty nor one usable space per vertex.
+void validate_field(std::span<const TangentSpace> field, std::size_t vertex_count);
+
+/// The same figures in input ids and mesh units.
+Tessellation describe(TessellatedGraph tessellated);
+
+}  // namespace geolloyd

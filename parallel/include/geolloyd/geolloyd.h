@@ -1,0 +1,23 @@
+#pragma once
+
+/// Geodesic centroidal Voronoi tessellations of triangle meshes, and remeshes from them.
+///
+///   const geolloyd::Mesh mesh = geolloyd::read_mesh("scan.ply").mesh;
+///   geolloyd::Threads threads;
+///   const auto tessellation = geolloyd::tessellate(mesh, {.seed_count = 2048}, threads);
+///   geolloyd::write_mesh("remesh.ply", geolloyd::remesh(mesh, tessellation, {}, threads).mesh);
+///
+/// Results speak the ids of the input (types.h). They are the same to the bit on every machine and
+/// any number of threads. What a user can put right is thrown as geolloyd::Error, with one line
+/// that says what, where and what to do; nothing is printed, and no function exits. Functions have
+/// no state: several threads may call them at once, each with a runtime of its own.
+///
+/// Targets: geolloyd::core (all but Threads), geolloyd::parallel (Threads, and this header).
+
+#include "geolloyd/choices.h"     // enumerations, progress
+#include "geolloyd/errors.h"      // Error, InvalidInput, IoError
+#include "geolloyd/mesh.h"        // Mesh, read_mesh, write_mesh
+#include "geolloyd/runtime.h"     // Runtime: who computes
+#include "geolloyd/tessellate.h"  // tessellate, voronoi
+#include "geolloyd/threads.h"     // Threads
+#include "geolloyd/types.h"       // ids, Vec3

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "geolloyd/runtime.h"
+
+namespace geolloyd {
+
+class Scheduler;
+
+/// Whose threads do the work: oneTBB's or OpenMP's.
+enum class Backend { tbb, openmp };
+
+/// Threads of this machine, with the parallel engine. What they compute is what the sequential
+/// reference computes, to the bit, however many they are.
+class Threads final : public Runtime {
+ public:
+  /// `count` 0: as many as this process may use.
+  explicit Threads(std::size_t count = 0, Backend backend = Backend::tbb);
+  ~Threads() override;
+
+  [[nodiscard]] std::size_t count() const;
+
+  Executor& executor() override;
+  std::unique_ptr<Engine> make_engine(const Graph& graph) override;
+  std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) override;
+
+ private:
+  std::unique_ptr<Scheduler> scheduler_;
+};
+
+}  // namespace geolloyd

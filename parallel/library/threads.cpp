@@ -1,0 +1,30 @@
+#include "geolloyd/threads.h"
+
+#include "parallel/engine/parallel_engine.h"
+#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/threads/scheduler.h"
+
+namespace geolloyd {
+
+Threads::Threads(std::size_t count, Backend backend)
+    : scheduler_(std::make_unique<Scheduler>(count, backend)) {}
+
+Threads::~Threads() = default;
+
+std::size_t Threads::count() const {
+  return scheduler_->threads();
+}
+
+Executor& Threads::executor() {
+  return *scheduler_;
+}
+
+std::unique_ptr<Engine> Threads::make_engine(const Graph& graph) {
+  return make_parallel_engine(*scheduler_, graph);
+}
+
+std::unique_ptr<GrowingSearch> Threads::make_growing_search(const Graph& graph) {
+  return make_parallel_growing_search(*scheduler_, graph);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,252 @@
+// The public headers, called rightly and wrongly.
+#include <geolloyd/choices.h>
+#include <geolloyd/errors.h>
+#include <geolloyd/mesh.h>
+#include <geolloyd/tessellate.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "core/shapes/shapes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TessellateOptions with_seeds(std::size_t count) {
+  TessellateOptions options;
+  options.seed_count = count;
+  return options;
+}
+
+Mesh two_triangles() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+// Everything in terms of the input: a vertex's parent is a neighbour nearer to the same seed.
+TEST(Library, ATessellationSpeaksInputIds) {
+  const Mesh mesh = icosphere(500);
+  const Tessellation result = tessellate(mesh, with_seeds(12));
+  ASSERT_EQ(result.regions.size(), 12U);
+  ASSERT_EQ(result.region.size(), mesh.vertex_count());
+  std::size_t nodes = 0;
+  double energy = 0;
+  for (RegionId r = 0; r < result.regions.size(); ++r) {
+    EXPECT_EQ(result.region[result.regions[r].seed], r);
+    EXPECT_EQ(result.distance[result.regions[r].seed], 0);
+    EXPECT_EQ(result.parent[result.regions[r].seed], no_id);
+    nodes += result.regions[r].nodes;
+    energy += result.regions[r].energy;
+  }
+  EXPECT_EQ(nodes, mesh.vertex_count());
+  EXPECT_NEAR(energy, result.energy, 1e-12 * energy);
+  EXPECT_LE(result.energy, result.initial_energy);
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    const InputId parent = result.parent[v];
+    if (parent == no_id) continue;
+    EXPECT_EQ(result.region[parent], result.region[v]);
+    const double edge = (mesh.positions[v] - mesh.positions[parent]).norm();
+    EXPECT_NEAR(result.distance[v], result.distance[parent] + edge, 1e-6);
+  }
+}
+
+TEST(Library, InTheMixedGraphTrianglesCountAfterVertices) {
+  const Mesh mesh = icosphere(80);
+  TessellateOptions options = with_seeds(5);
+  options.graph = GraphKind::mixed;
+  const Tessellation result = tessellate(mesh, options);
+  EXPECT_EQ(result.region.size(), mesh.vertex_count() + mesh.triangle_count());
+}
+
+TEST(Library, VoronoiKeepsTheSeedsAsTheyAre) {
+  const Mesh mesh = icosphere(320);
+  TessellateOptions options;
+  options.first_seeds = {7, 3, 100};
+  const Tessellation result = voronoi(mesh, options);
+  for (std::size_t r = 0; r < 3; ++r) EXPECT_EQ(result.regions[r].seed, options.first_seeds[r]);
+  EXPECT_EQ(result.energy, result.initial_energy);
+}
+
+TEST(Library, AVertexOfNoTriangleHasNoRegion) {
+  Mesh mesh = two_triangles();
+  mesh.positions.push_back({5, 5, 5});
+  const Tessellation result = tessellate(mesh, with_seeds(1));
+  EXPECT_EQ(result.region[4], no_id);
+  EXPECT_EQ(result.distance[4], infinite);
+  EXPECT_EQ(result.parent[4], no_id);
+}
+
+TEST(Library, ProgressIsReportedAndMayEndTheWork) {
+  const Mesh mesh = creature(5000, 1);
+  TessellateOptions options = with_seeds(30);
+  options.init = SeedInit::random;
+  std::size_t calls = 0;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_GT(progress.energy, 0);
+    return ++calls < 3;
+  };
+  const Tessellation stopped = tessellate(mesh, options);
+  EXPECT_EQ(calls, 3U);
+  EXPECT_EQ(stopped.stop_reason, StopReason::interrupted);
+  EXPECT_LE(stopped.energy, stopped.initial_energy);
+  options.progress = [](const Progress&) -> bool { throw std::runtime_error("from the callback"); };
+  EXPECT_THROW(tessellate(mesh, options), std::runtime_error);
+}
+
+TEST(Library, AMeshWrittenAndReadIsTheSame) {
+  const TemporaryFolder folder;
+  const Mesh mesh = icosphere(100);
+  write_mesh(folder.path() / "sphere.off", mesh);
+  const LoadedMesh loaded = read_mesh(folder.path() / "sphere.off");
+  EXPECT_EQ(loaded.mesh.positions, mesh.positions);
+  EXPECT_EQ(loaded.mesh.triangles, mesh.triangles);
+}
+
+// A wrong call, and what its sentence must name.
+struct WrongCall {
+  const char* name;
+  std::function<void()> call;
+  const char* named;
+
+  friend std::ostream& operator<<(std::ostream& out, const WrongCall& wrong) {
+    return out << wrong.name;
+  }
+};
+
+class LibraryRefuses : public testing::TestWithParam<WrongCall> {};
+
+TEST_P(LibraryRefuses, WithASentence) {
+  try {
+    GetParam().call();
+    FAIL() << "accepted";
+  } catch (const InvalidInput& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(GetParam().named), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+}
+
+void tessellate_moved(double coordinate) {
+  Mesh mesh = two_triangles();
+  mesh.positions[2].y() = coordinate;
+  tessellate(mesh, with_seeds(1));
+}
+
+void tessellate_from(std::vector<InputId> seeds, Mesh mesh = two_triangles()) {
+  TessellateOptions options;
+  options.first_seeds = std::move(seeds);
+  tessellate(mesh, options);
+}
+
+void tessellate_in(std::vector<TangentSpace> field) {
+  TessellateOptions options = with_seeds(1);
+  options.field = std::move(field);
+  tessellate(two_triangles(), options);
+}
+
+TangentSpace space(double magnitude) {
+  return {{1, 0, 0}, {0, 1, 0}, magnitude, 1};
+}
+
+Mesh with_triangle(Triangle triangle) {
+  Mesh mesh = two_triangles();
+  mesh.triangles.push_back(triangle);
+  return mesh;
+}
+
+Mesh with_a_loose_triangle() {
+  Mesh mesh = two_triangles();
+  mesh.positions.insert(mesh.positions.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}});
+  mesh.triangles.push_back({4, 5, 6});
+  return mesh;
+}
+
+const WrongCall wrong_calls[] = {
+    {"EmptyMesh", [] { tessellate({}, with_seeds(1)); }, "no triangles"},
+    {"NotANumber", [] { tessellate_moved(std::nan("")); }, "vertex 2"},
+    {"Infinite", [] { tessellate_moved(infinite); }, "vertex 2"},
+    {"TooLarge", [] { tessellate_moved(1e80); }, "vertex 2"},
+    {"IdOutOfRange",
+     [] {
+       tessellate(with_triangle({0, 1, 4}), with_seeds(1));
+     },
+     "vertex 4"},
+    {"NoId",
+     [] {
+       tessellate(with_triangle({0, no_id, 1}), with_seeds(1));
+     },
+     "triangle 2"},
+    {"NothingButRepeatedVertices",
+     [] {
+       tessellate({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}}, with_seeds(1));
+     },
+     "three different vertices"},
+    {"NoSeeds", [] { tessellate(two_triangles(), {}); }, "seed_count"},
+    {"SeedsTwice",
+     [] {
+       TessellateOptions options = with_seeds(1);
+       options.first_seeds = {0};
+       tessellate(two_triangles(), options);
+     },
+     "not both"},
+    {"MoreSeedsThanNodes", [] { tessellate(two_triangles(), with_seeds(5)); }, "more seeds (5)"},
+    {"FewerSeedsThanComponents", [] { tessellate(with_a_loose_triangle(), with_seeds(1)); },
+     "components"},
+    {"UnknownSeed",
+     [] {
+       tessellate_from({0, 4});
+     },
+     "first_seeds[1] = 4"},
+    {"RepeatedSeed",
+     [] {
+       tessellate_from({1, 0, 1});
+     },
+     "first_seeds[2] = 1"},
+    {"SeedOfNoTriangle",
+     [] {
+       Mesh mesh = two_triangles();
+       mesh.positions.push_back({9, 9, 9});
+       tessellate_from({4}, mesh);
+     },
+     "first_seeds[0] = 4"},
+    {"ComponentWithoutSeed", [] { tessellate_from({0}, with_a_loose_triangle()); },
+     "connected component"},
+    {"FieldOfAnotherLength",
+     [] {
+       tessellate_in({space(1), space(1)});
+     },
+     "4 vertices"},
+    {"FieldNotFinite",
+     [] {
+       tessellate_in({space(1), space(1), space(infinite), space(1)});
+     },
+     "field[2]"},
+    {"FieldNegative",
+     [] {
+       tessellate_in({space(1), space(1), space(1), space(-1)});
+     },
+     "field[3]"},
+    {"NoSuchFormat", [] { write_mesh("mesh.xyz", two_triangles()); }, "mesh.xyz"},
+    {"WritingAnInvalidMesh",
+     [] {
+       write_mesh("no_such_folder/m.ply", with_triangle({0, 1, 9}));
+     },
+     "vertex 9"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Calls, LibraryRefuses, testing::ValuesIn(wrong_calls),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Library, AMissingFileIsAnIoError) {
+  EXPECT_THROW(read_mesh("no/such/mesh.ply"), IoError);
+  EXPECT_THROW(write_mesh("no/such/mesh.ply", two_triangles()), IoError);
+}
+
+}  // namespace
+}  // namespace geolloyd
