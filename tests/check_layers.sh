@@ -1,22 +1,93 @@
 #!/usr/bin/env bash
-# Each room keeps to its own: core starts no thread and prints nothing, only tools knows the command
-# line, Embree and pictures, and nobody includes from a later room.
+# The order of the rooms, and what each room may know. `check_layers.sh FOLDER` looks at the project
+# in that folder, prints each line that breaks a rule, and fails if there is one.
 set -u
 cd "$1" || exit 1
-status=0
 
-forbid() {  # folder, what, pattern
-  local found
-  found=$(grep -rnE --include='*.h' --include='*.cpp' "$3" "$1")
-  if [ -n "$found" ]; then
-    printf '%s: %s\n%s\n' "$1" "$2" "$found"
-    status=1
-  fi
+mapfile -d '' files < <(find core parallel tools bench tests \( -name '*.h' -o -name '*.cpp' \) -print0)
+awk '
+# A file includes only from its own room and from the rooms above it.
+function table() {
+  return "core/base core/text core/mesh core/formats core/shapes core/graph core/voronoi " \
+         "core/seeds core/lloyd core/remesh " \
+         "parallel/threads parallel/engine " \
+         "tools/words tools/evaluation tools/render " \
+         "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \
+         "tools/commands " \
+         "bench/support bench/suites bench/studies " \
+         "tests/support tests/base tests/mesh tests/formats tests/shapes tests/graph " \
+         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/parallel tests/evaluation " \
+         "tests/program tests/golden tests/work tests/fuzz tests/consumer"
 }
 
-forbid core 'names a thread' '<(thread|mutex|future|omp\.h|tbb/)|#pragma omp|std::(thread|mutex|async)'
-forbid core 'prints or exits' 'std::(cout|cerr|clog|exit|abort)|\bprintf\(|\bstd::printf|fputs\('
-forbid core 'includes from a later room' '#include "(parallel|tools|bench|tests)/'
-forbid parallel 'includes from a later room' '#include "(tools|bench|tests)/'
-for room in core parallel bench; do forbid "$room" 'knows Embree' '<embree'; done
-exit $status
+# What no line of a room may do, but in the rooms named last.
+function rules() {
+  forbid("^core/", "names a thread", "<(thread|mutex|future)>|std::(thread|jthread|mutex|async)", "")
+  forbid("^core/", "names an atomic", "<atomic>|std::atomic", "^core/base$")
+  forbid("^(core|parallel)/", "prints or exits",
+         "std::(cout|cerr|clog|exit|abort)|(^|[^a-z_])f?printf[(]|fputs[(]", "")
+  forbid("", "starts threads", "<(tbb|oneapi)/|<omp[.]h>|#pragma omp|std::(jthread|async)",
+         "^parallel/threads$")
+  forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
+  forbid("", "knows Cairo", "<cairo", "^tools/render$")
+  forbid("", "knows CLI11", "<CLI/", "^tools/(cli|commands)$")
+  forbid("^bench/", "needs the tools", "#include \"tools/", "")
+}
+
+function forbid(where, what, pattern, except) {
+  where_[++count_] = where
+  what_[count_] = what
+  pattern_[count_] = pattern
+  except_[count_] = except
+}
+
+function complain(what) {
+  printf "%s:%d: %s: %s\n", FILENAME, FNR, what, $0
+  failed = 1
+}
+
+function folder(path) {
+  sub("/[^/]*$", "", path)
+  return path
+}
+
+BEGIN {
+  rooms = split(table(), names, " ")
+  for (i = 1; i <= rooms; ++i) place[names[i]] = i
+  rules()
+}
+
+FNR == 1 {
+  room = folder(FILENAME)
+  seen[room] = 1
+  if (!(room in place)) complain("the folder is not in the table of " self)
+  for (i = 1; i <= count_; ++i) {
+    holds[i] = room ~ where_[i] && (except_[i] == "" || room !~ except_[i])
+  }
+}
+
+/^#include "/ {
+  split($0, part, "\"")
+  other = folder(part[2])
+  if (!(other in place)) {
+    complain("includes from no room")
+  } else if (place[other] > place[room]) {
+    complain("includes from a later room")
+  }
+}
+
+{
+  for (i = 1; i <= count_; ++i) {
+    if (holds[i] && $0 ~ pattern_[i]) complain(what_[i])
+  }
+}
+
+END {
+  for (i = 1; i <= rooms; ++i) {
+    if (names[i] in seen) continue
+    printf "%s: is in the table of %s, but holds no source\n", names[i], self
+    failed = 1
+  }
+  exit failed
+}
+' self=tests/check_layers.sh "${files[@]}"

@@ -14,7 +14,7 @@
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/text/file_io.h"
-#include "tools/cli/names.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {

@@ -9,11 +9,11 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
-#include "tools/cli/names.h"
 #include "tools/render/painters.h"
 #include "tools/render/panel.h"
 #include "tools/render/picture.h"
 #include "tools/render/shown_regions.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {

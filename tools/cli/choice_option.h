@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/cli/names.h"
+#include "tools/words/named.h"
 
 namespace geolloyd {
 

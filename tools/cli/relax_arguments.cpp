@@ -4,6 +4,7 @@
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/render/view.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 
@@ -182,10 +183,6 @@ GreedyMode greedy_mode(const RelaxArguments& a) {
 RelaxationOptions relaxation_options(const RelaxArguments& a) {
   return {greedy_mode(a), !a.no_microstep_skip, !a.no_macrostep_skip, a.max_greedy_steps,
           a.max_macrosteps};
-}
-
-RemeshOptions remesh_options(const RelaxArguments& a) {
-  return {a.manifold, value_of(remesh_vertices_names, a.remesh_vertices)};
 }
 
 }  // namespace geolloyd

@@ -6,7 +6,6 @@
 
 #include "core/lloyd/relaxation.h"
 #include "tools/cli/cli_fwd.h"
-#include "tools/run/remesh.h"
 
 namespace geolloyd {
 
@@ -60,6 +59,5 @@ void add_picture_options(CLI::App& command, RelaxArguments& a);  // how pictures
 /// Throws InvalidInput where options contradict each other.
 void check_arguments(const RelaxArguments& a);
 RelaxationOptions relaxation_options(const RelaxArguments& a);
-RemeshOptions remesh_options(const RelaxArguments& a);
 
 }  // namespace geolloyd

@@ -12,15 +12,15 @@
 #include "core/seeds/seeds.h"
 #include "parallel/engine/parallel_growing_search.h"
 #include "tools/cli/choice_option.h"
-#include "tools/cli/facts_text.h"
 #include "tools/cli/number_option.h"
-#include "tools/cli/text_table.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/batch.h"
 #include "tools/experiments/experiment.h"
 #include "tools/run/measured_run.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
+#include "tools/words/facts_text.h"
+#include "tools/words/text_table.h"
 
 namespace geolloyd {
 namespace {

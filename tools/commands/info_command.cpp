@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "core/mesh/mesh_check.h"
-#include "tools/cli/facts_text.h"
 #include "tools/commands/commands.h"
 #include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
 

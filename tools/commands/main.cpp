@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "tools/cli/memory_option.h"
 #include "tools/cli/suggestion.h"
 #include "tools/commands/commands.h"
 #include "tools/system/available_memory.h"

@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
-#include "tools/cli/facts_text.h"
-#include "tools/cli/text_table.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/experiment.h"
 #include "tools/experiments/profile.h"
 #include "tools/run/measured_run.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
+#include "tools/words/facts_text.h"
+#include "tools/words/text_table.h"
 
 namespace geolloyd {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
-#include "tools/evaluation/quality.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/quality_output.h"
+#include "tools/run/quality.h"
 #include "tools/run/stages.h"
 
 namespace geolloyd {

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "tools/cli/facts_text.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
 #include "tools/render/labels.h"
-#include "tools/render/picture.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/report_parts.h"
@@ -22,6 +20,7 @@
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/progress.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
 namespace {
@@ -137,7 +136,7 @@ void warn_of_few_nodes(const RunRecord& run, std::size_t seeds, ProgressLine& pr
 
 void check_relax(const RelaxArguments& arguments) {
   check_arguments(arguments);
-  const std::filesystem::path checkpoint = checkpoint_path(arguments);
+  const std::filesystem::path checkpoint = checkpoint_path(arguments.output);
   std::error_code error;
   const bool is_there = std::filesystem::exists(checkpoint, error);
   if (error) throw IoError(checkpoint.string() + ": cannot open: " + error.message());
@@ -176,7 +175,7 @@ void run_relax(const RelaxArguments& arguments) {
   const Stopwatch writing;
   run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
                                   run.relaxation.seeds, run.relaxation.region_score);
-  run.labels = label_input_ids(run);
+  run.labels = label_input_ids(run.mesh_graph, run.relaxation.partition, run.regions.size());
   FileGroup files = open_results(arguments);
   write_results(run, files, scheduler);
   run.seconds.write = writing.seconds();
@@ -186,7 +185,7 @@ void run_relax(const RelaxArguments& arguments) {
   if (!run.interrupted) relaxation.forget();
   if (!arguments.picture.empty()) {  // whatever happens to it, the results are there
     progress.stage("drawing " + arguments.picture.string());
-    write_picture(arguments.picture, run, scheduler);
+    write_picture(run, scheduler);
   }
   progress.clear();
   print_summary(run);

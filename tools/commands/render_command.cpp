@@ -50,10 +50,12 @@ class Renderer {
       const Mesh& mesh = run_.input.mesh;
       announce_memory(run_.arguments.mesh.string(),
                       memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                     count_samples(mesh, run_.arguments, scheduler_)));
+                                     count_samples(mesh, parse_view(run_.arguments.view),
+                                                   parse_size(run_.arguments.size), scheduler_)));
     }
     progress_.stage("drawing " + output_.string());
-    const Picture picture(run_.input.mesh, run_.arguments, panels_.size(), have_captions(panels_),
+    const Picture picture(run_.input.mesh, parse_view(run_.arguments.view),
+                          parse_size(run_.arguments.size), panels_.size(), have_captions(panels_),
                           scheduler_);
     std::vector<PanelImage> images;
     for (const Panel& panel : panels_) {

@@ -8,13 +8,13 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/subdivide.h"
 #include "tools/cli/choice_option.h"
-#include "tools/cli/facts_text.h"
-#include "tools/cli/names.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
 #include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/words/facts_text.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {

@@ -7,12 +7,12 @@
 #include "core/lloyd/paired_engine.h"
 #include "core/lloyd/reference_engine.h"
 #include "parallel/engine/parallel_engine.h"
-#include "tools/cli/facts_text.h"
-#include "tools/cli/names.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
+#include "tools/words/facts_text.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {

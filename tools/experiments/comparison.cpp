@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/cli/facts_text.h"
 #include "tools/experiments/experiment.h"
 #include "tools/run/measured_run.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
 namespace {

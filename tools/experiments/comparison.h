@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
-#include "tools/cli/names.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/progress.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 

@@ -1,30 +1,20 @@
 #include "tools/experiments/experiment.h"
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <system_error>
 
-#include "tools/cli/facts_text.h"
-#include "tools/cli/folder_option.h"
 #include "tools/experiments/plot.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
-#include "tools/system/build_facts.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
-
-void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
-  folder_name(
-      command.add_option("-o,--output", output.folder,
-                         fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name)));
-  command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
-}
 
 void prepare_output(const ExperimentOutput& output, const std::string& name,
                     const RelaxArguments& arguments) {
@@ -34,16 +24,6 @@ void prepare_output(const ExperimentOutput& output, const std::string& name,
   const std::array names = {json.c_str(), csv.c_str()};
   const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
   prepare_folder(output.folder, names, others);
-}
-
-Json begin_result(const std::string& command, const RunRecord& run) {
-  return {{"program", program_name()},
-          {"command", command},
-          {"machine", machine_part()},
-          {"mesh",
-           {{"file", run.arguments.mesh.string()},
-            {"vertices", run.facts.vertices},
-            {"triangles", run.facts.triangles}}}};
 }
 
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/cli/cli_fwd.h"
+#include "tools/cli/experiment_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/run_record.h"
 #include "tools/system/progress.h"
@@ -15,19 +15,9 @@ namespace geolloyd {
 
 // What the commands that measure have in common: NAME.json, NAME.csv and pictures in a folder.
 
-struct ExperimentOutput {
-  std::filesystem::path folder;  ///< none: nothing is written
-  bool no_plot = false;
-};
-
-void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
-
 /// Makes sure that the files can be written and would replace no input.
 void prepare_output(const ExperimentOutput& output, const std::string& name,
                     const RelaxArguments& arguments);
-
-/// The beginning of a result file: program, command, machine, mesh.
-Json begin_result(const std::string& command, const RunRecord& run);
 
 /// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/cli/names.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/report/report_parts.h"
+#include "tools/files/json.h"
 
 namespace geolloyd {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/remesh/tessellation.h"
+
 namespace geolloyd {
 namespace {
 
@@ -39,13 +41,12 @@ std::vector<Colour> colours_of_regions(const Graph& graph, const Partition& part
   return colours;
 }
 
-std::vector<Label> label_input_ids(const RunRecord& run) {
-  const Partition& partition = run.relaxation.partition;
-  const std::vector<Colour> colours =
-      colours_of_regions(run.mesh_graph.graph, partition, run.relaxation.seeds.size());
+std::vector<Label> label_input_ids(const MeshGraph& mesh_graph, const Partition& partition,
+                                   std::size_t region_count) {
+  const std::vector<Colour> colours = colours_of_regions(mesh_graph.graph, partition, region_count);
   std::vector<Label> labels;
-  labels.reserve(run.mesh_graph.node_of.size());
-  for (const NodeId node : run.mesh_graph.node_of) {
+  labels.reserve(mesh_graph.node_of.size());
+  for (const NodeId node : mesh_graph.node_of) {
     const RegionId region = node == no_id ? no_id : region_of(partition.key[node]);
     labels.push_back(region == no_id ? no_region
                                      : Label{colours[region], static_cast<std::int32_t>(region)});

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/formats/mesh_io.h"
-#include "tools/run/run_record.h"
+#include "core/graph/mesh_graph.h"
+#include "core/voronoi/partition.h"
 
 namespace geolloyd {
 
@@ -19,6 +20,7 @@ std::vector<Colour> colours_of_regions(const Graph& graph, const Partition& part
                                        std::size_t region_count);
 
 /// Region and colour of each input id; no region is grey.
-std::vector<Label> label_input_ids(const RunRecord& run);
+std::vector<Label> label_input_ids(const MeshGraph& mesh_graph, const Partition& partition,
+                                   std::size_t region_count);
 
 }  // namespace geolloyd

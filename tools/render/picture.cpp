@@ -1,13 +1,11 @@
 #include "tools/render/picture.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "core/base/errors.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_edges.h"
-#include "tools/render/painters.h"
 #include "tools/render/sheet.h"
 
 namespace geolloyd {
@@ -53,11 +51,10 @@ Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) 
   throw InvalidInput("--size: too small for " + std::to_string(panels) + " panels");
 }
 
-Picture::Picture(const Mesh& mesh, const RelaxArguments& arguments, std::size_t panels,
+Picture::Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels,
                  bool has_captions, Scheduler& scheduler) {
-  const Outline outline =
-      outline_of(referenced_positions(mesh, scheduler), parse_view(arguments.view));
-  layout_ = arrange(panels, has_captions, parse_size(arguments.size), aspect_of(outline));
+  const Outline outline = outline_of(referenced_positions(mesh, scheduler), view);
+  layout_ = arrange(panels, has_captions, size, aspect_of(outline));
   scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, scheduler);
 }
 
@@ -77,22 +74,9 @@ void Picture::write(const std::filesystem::path& path, std::span<const PanelImag
   sheet.write(path);
 }
 
-std::size_t count_samples(const Mesh& mesh, const RelaxArguments& arguments, Scheduler& scheduler) {
-  const Outline outline =
-      outline_of(referenced_positions(mesh, scheduler), parse_view(arguments.view));
-  return SampleGrid{arrange(1, false, parse_size(arguments.size), aspect_of(outline)).panel}
-      .count();
-}
-
-void write_picture(const std::filesystem::path& path, const RunRecord& run, Scheduler& scheduler) {
-  const Picture picture(run.input.mesh, run.arguments, 1, false, scheduler);
-  const std::vector<Colour> colours = colours_of_regions(
-      run.mesh_graph.graph, run.relaxation.partition, run.relaxation.seeds.size());
-  const Canvas canvas =
-      paint_regions({run.mesh_graph, run.relaxation.partition, run.relaxation.seeds, colours},
-                    picture.scene(), scheduler);
-  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
-  picture.write(path, panels);
+std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Scheduler& scheduler) {
+  const Outline outline = outline_of(referenced_positions(mesh, scheduler), view);
+  return SampleGrid{arrange(1, false, size, aspect_of(outline)).panel}.count();
 }
 
 }  // namespace geolloyd

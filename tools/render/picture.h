@@ -7,7 +7,6 @@
 
 #include "parallel/threads/scheduler.h"
 #include "tools/render/canvas.h"
-#include "tools/run/run_record.h"
 
 namespace geolloyd {
 
@@ -29,11 +28,11 @@ struct PanelImage {
   std::string caption;
 };
 
-/// Pictures of a mesh, from where the arguments say and as large. What is seen of the mesh is found
-/// once, for as many pictures and panels as there will be.
+/// Pictures of a mesh from one view. What is seen of the mesh is found once, for as many pictures
+/// and panels as there will be.
 class Picture {
  public:
-  Picture(const Mesh& mesh, const RelaxArguments& arguments, std::size_t panels, bool has_captions,
+  Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels, bool has_captions,
           Scheduler& scheduler);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -47,9 +46,6 @@ class Picture {
 };
 
 /// How many rays a picture with one panel has: its memory goes by them.
-std::size_t count_samples(const Mesh& mesh, const RelaxArguments& arguments, Scheduler& scheduler);
-
-/// The regions of a finished run, in the colours of tessellation.ply.
-void write_picture(const std::filesystem::path& path, const RunRecord& run, Scheduler& scheduler);
+std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Scheduler& scheduler);
 
 }  // namespace geolloyd

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "tools/cli/names.h"
+#include "tools/words/named.h"
 
 namespace geolloyd {
 namespace {

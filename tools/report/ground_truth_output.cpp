@@ -6,11 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/file_writer.h"
-#include "tools/cli/facts_text.h"
-#include "tools/experiments/experiment.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
 #include "tools/files/rows.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tools/cli/facts_text.h"
-#include "tools/cli/text_table.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
+#include "tools/words/facts_text.h"
+#include "tools/words/text_table.h"
 
 namespace geolloyd {
 namespace {

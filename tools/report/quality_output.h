@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/evaluation/quality.h"
+#include "tools/run/quality.h"
 
 namespace geolloyd {
 

@@ -10,13 +10,15 @@
 #include "core/base/loops.h"
 #include "tools/files/output_folder.h"
 #include "tools/files/rows.h"
-#include "tools/render/frames.h"
+#include "tools/render/painters.h"
+#include "tools/render/picture.h"
 #include "tools/report/report.h"
+#include "tools/run/checkpoint.h"
+#include "tools/run/frames.h"
 
 namespace geolloyd {
 namespace {
 
-constexpr const char* checkpoint_name = "checkpoint.msgpack";
 constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                     "remesh.ply", "report.json"};
 enum ResultFile { tessellation_place, seeds_place, regions_place, remesh_place, report_place };
@@ -48,19 +50,15 @@ void write_regions_csv(const RunRecord& run, FileWriter& out) {
 
 }  // namespace
 
-std::filesystem::path checkpoint_path(const RelaxArguments& arguments) {
-  return arguments.output / checkpoint_name;
-}
-
 void prepare_output(const RelaxArguments& arguments) {
   std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield,
                                                arguments.seeds_file};
   prepare_folder(arguments.output, relax_names, others);
-  check_target(checkpoint_path(arguments), others);
+  check_target(checkpoint_path(arguments.output), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
   if (arguments.picture.empty()) return;
   for (const char* name : relax_names) others.push_back(arguments.output / name);
-  others.push_back(checkpoint_path(arguments));
+  others.push_back(checkpoint_path(arguments.output));
   check_target(arguments.picture, others);
   std::error_code error;
   if (!arguments.frames.empty() &&
@@ -87,6 +85,19 @@ void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler)
       [&] { write_regions_csv(run, files[regions_place]); },
       [&] { write_mesh(files[remesh_place], run.remesh.mesh); },
       [&] { write_seeds_csv(run, files[seeds_place]); });
+}
+
+void write_picture(const RunRecord& run, Scheduler& scheduler) {
+  const RelaxArguments& a = run.arguments;
+  const Picture picture(run.input.mesh, parse_view(a.view), parse_size(a.size), 1, false,
+                        scheduler);
+  const std::vector<Colour> colours = colours_of_regions(
+      run.mesh_graph.graph, run.relaxation.partition, run.relaxation.seeds.size());
+  const Canvas canvas =
+      paint_regions({run.mesh_graph, run.relaxation.partition, run.relaxation.seeds, colours},
+                    picture.scene(), scheduler);
+  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
+  picture.write(a.picture, panels);
 }
 
 void write_report(const RunRecord& run, FileGroup& files) {

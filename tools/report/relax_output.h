@@ -8,9 +8,6 @@
 
 namespace geolloyd {
 
-/// From where an interrupted or killed run goes on.
-std::filesystem::path checkpoint_path(const RelaxArguments& arguments);
-
 /// Makes the folder and makes sure that the results and the picture can be written, before hours of
 /// work depend on it, and that none of them would replace the mesh, the field or the file of the
 /// first seeds. Throws Error.
@@ -24,6 +21,9 @@ FileGroup open_results(const RelaxArguments& arguments);
 /// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
 /// added seeds last.
 void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler);
+
+/// --picture: the regions, in the colours of tessellation.ply.
+void write_picture(const RunRecord& run, Scheduler& scheduler);
 
 /// report.json (report.h), with which all of them appear.
 void write_report(const RunRecord& run, FileGroup& files);

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/cli/names.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/cli/names.h"
+#include "tools/system/build_facts.h"
 #include "tools/system/machine.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {
@@ -26,6 +27,16 @@ Json machine_part() {
           {"memory_bytes", m.memory_bytes},
           {"system", m.system},
           {"compiler", m.compiler}};
+}
+
+Json begin_result(const std::string& command, const RunRecord& run) {
+  return {{"program", program_name()},
+          {"command", command},
+          {"machine", machine_part()},
+          {"mesh",
+           {{"file", run.arguments.mesh.string()},
+            {"vertices", run.facts.vertices},
+            {"triangles", run.facts.triangles}}}};
 }
 
 Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts) {
@@ -99,10 +110,6 @@ Json options_part(const RelaxArguments& a, std::size_t seeds) {
 
 Json number_or_null(std::optional<double> value) {
   return value ? Json(*value) : Json(nullptr);
-}
-
-std::string json_text(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string fingerprint_text(std::uint64_t fingerprint) {

@@ -1,21 +1,21 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "core/base/kernel_seconds.h"
 #include "core/graph/graph.h"
 #include "core/mesh/mesh_topology.h"
+#include "tools/files/json.h"
 #include "tools/run/run_record.h"
 
 namespace geolloyd {
 
-using Json = nlohmann::ordered_json;
-
 // What the JSON files of several commands have in common; the README lists the keys.
 
 Json machine_part();
+/// The beginning of a result file: program, command, machine, mesh.
+Json begin_result(const std::string& command, const RunRecord& run);
 Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
@@ -25,8 +25,6 @@ Json options_part(const RelaxArguments& arguments, std::size_t seeds);
 
 /// Not a number: null.
 Json number_or_null(std::optional<double> value);
-/// Indented text. Names that are not UTF-8 get replacement characters.
-std::string json_text(const Json& json);
 
 /// The fingerprint as 16 hexadecimal digits.
 std::string fingerprint_text(std::uint64_t fingerprint);

@@ -10,9 +10,9 @@
 #include "core/text/file_io.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/fingerprint.h"
-#include "tools/cli/names.h"
 #include "tools/files/flat_map.h"
 #include "tools/system/build_facts.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {
@@ -215,6 +215,10 @@ FlatMap read_content(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::filesystem::path checkpoint_path(const std::filesystem::path& folder) {
+  return folder / "checkpoint.msgpack";
+}
 
 CheckpointFile::CheckpointFile(std::filesystem::path path, const Graph& graph,
                                std::vector<NodeId> first_seeds, const RelaxationOptions& options)

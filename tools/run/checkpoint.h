@@ -16,6 +16,9 @@ struct Checkpoint {
   double seconds = 0;
 };
 
+/// The checkpoint of the run whose results go to `folder`.
+std::filesystem::path checkpoint_path(const std::filesystem::path& folder);
+
 /// The file from which a relaxation goes on that was interrupted or killed. Holds a checksum, and
 /// says of which graph, first seeds and options it is.
 class CheckpointFile {

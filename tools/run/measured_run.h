@@ -5,7 +5,7 @@
 
 #include "core/lloyd/relaxation.h"
 #include "parallel/engine/parallel_engine.h"
-#include "tools/cli/names.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 

@@ -12,9 +12,9 @@
 #include "core/remesh/dual_places.h"
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
-#include "tools/cli/facts_text.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/system/interrupt.h"
+#include "tools/words/facts_text.h"
 
 namespace geolloyd {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/mesh/mesh_topology.h"
 #include "core/remesh/dual_mesh.h"
 #include "parallel/threads/scheduler.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 
@@ -41,12 +42,6 @@ struct RemeshInput {
   const MeshGraph& mesh_graph;
   const std::vector<NodeId>& seeds;
   Engine& engine;
-};
-
-/// Where the vertices are that are not on the boundary.
-enum class RemeshVertices {
-  seeds,
-  centroids  ///< the surface's points closest to the centroids of the ground truth
 };
 
 struct RemeshOptions {

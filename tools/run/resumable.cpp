@@ -7,19 +7,18 @@
 #include <utility>
 
 #include "core/base/errors.h"
-#include "tools/cli/names.h"
 #include "tools/files/output_folder.h"
-#include "tools/render/frames.h"
-#include "tools/report/relax_output.h"
+#include "tools/run/frames.h"
 #include "tools/run/measured_run.h"
 #include "tools/system/interrupt.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 
 ResumableRelaxation::ResumableRelaxation(RunRecord& run, std::vector<NodeId> first_seeds)
     : run_(run),
       first_seeds_(std::move(first_seeds)),
-      file_(checkpoint_path(run.arguments), run.mesh_graph.graph, first_seeds_,
+      file_(checkpoint_path(run.arguments.output), run.mesh_graph.graph, first_seeds_,
             relaxation_options(run.arguments)) {
   if (run.arguments.resume) {
     Checkpoint checkpoint = file_.read();

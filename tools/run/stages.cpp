@@ -14,11 +14,11 @@
 #include "core/seeds/seeds.h"
 #include "core/text/file_io.h"
 #include "parallel/engine/parallel_growing_search.h"
-#include "tools/cli/names.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 
@@ -54,7 +54,9 @@ std::uint64_t estimate_memory(const RunRecord& run, const MeshEdges& edges, std:
   size.has_field = !a.vfield.empty();
   size.is_reference = value_of(engine_names, a.engine) == EngineKind::reference;
   size.has_ground_truth = a.ground_truth || a.remesh_vertices == "centroids";
-  if (!a.picture.empty() || !a.frames.empty()) size.samples = count_samples(mesh, a, scheduler);
+  if (!a.picture.empty() || !a.frames.empty()) {
+    size.samples = count_samples(mesh, parse_view(a.view), parse_size(a.size), scheduler);
+  }
   return memory_to_run(size);
 }
 
@@ -108,6 +110,10 @@ std::vector<NodeId> first_seeds(RunRecord& run, const std::string& text, Schedul
 Scheduler make_scheduler(const RelaxArguments& a) {
   make_room_for_threads(a.threads);
   return Scheduler(a.threads, value_of(backend_names, a.backend));
+}
+
+RemeshOptions remesh_options(const RelaxArguments& a) {
+  return {a.manifold, value_of(remesh_vertices_names, a.remesh_vertices)};
 }
 
 std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress) {

@@ -14,6 +14,9 @@ namespace geolloyd {
 /// The threads that the command line asks for.
 Scheduler make_scheduler(const RelaxArguments& a);
 
+/// The remesh that the command line asks for.
+RemeshOptions remesh_options(const RelaxArguments& a);
+
 /// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
 /// the size of the file, then for what comes next in every command, finding its edges.
 LoadedMesh read_within_limits(const std::filesystem::path& path);

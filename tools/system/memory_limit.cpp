@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -15,7 +14,6 @@
 #include <thread>
 
 #include "core/base/errors.h"
-#include "tools/cli/number_option.h"
 #include "tools/system/available_memory.h"
 
 namespace geolloyd {
@@ -111,13 +109,6 @@ LiftedMemoryLimit::LiftedMemoryLimit() {
 
 LiftedMemoryLimit::~LiftedMemoryLimit() {
   limit_data();
-}
-
-void add_memory_option(CLI::App& command) {
-  byte_count(command.add_option_function<std::uint64_t>(
-      "--memory-limit", limit_memory,
-      "Refuse what needs more memory than this, 8G or 800M (default:\n"
-      "what the machine has left)"));
 }
 
 void require_memory(const std::string& what, std::uint64_t bytes) {

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/cli/cli_fwd.h"
-
 namespace geolloyd {
 
 // How much memory the program may hold. The system gives memory away that it does not have, and
@@ -27,9 +25,6 @@ class LiftedMemoryLimit {
   LiftedMemoryLimit& operator=(const LiftedMemoryLimit&) = delete;
   ~LiftedMemoryLimit();
 };
-
-/// Adds --memory-limit, which calls that.
-void add_memory_option(CLI::App& command);
 
 /// Throws InvalidInput where `bytes` are more than the limit.
 void require_memory(const std::string& what, std::uint64_t bytes);

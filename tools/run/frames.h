@@ -8,6 +8,7 @@
 
 #include "core/lloyd/engine.h"
 #include "tools/render/picture.h"
+#include "tools/run/run_record.h"
 
 namespace geolloyd {
 

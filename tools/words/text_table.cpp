@@ -1,4 +1,4 @@
-#include "tools/cli/text_table.h"
+#include "tools/words/text_table.h"
 
 #include <fmt/format.h>
 

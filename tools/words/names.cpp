@@ -1,4 +1,4 @@
-#include "tools/cli/names.h"
+#include "tools/words/names.h"
 
 #include "core/shapes/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "tools/evaluation/quality.h"
+#include "tools/run/quality.h"
 
 #include <string>
 #include <vector>

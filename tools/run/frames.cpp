@@ -1,4 +1,4 @@
-#include "tools/render/frames.h"
+#include "tools/run/frames.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 
 #include "core/base/errors.h"
 #include "core/voronoi/energy.h"
-#include "tools/cli/names.h"
 #include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {
@@ -55,7 +55,8 @@ FramesEngine::FramesEngine(Engine& engine, const RunRecord& run, Scheduler& sche
     : engine_(engine),
       run_(run),
       scheduler_(scheduler),
-      picture_(run.input.mesh, run.arguments, 1, true, scheduler),
+      picture_(run.input.mesh, parse_view(run.arguments.view), parse_size(run.arguments.size), 1,
+               true, scheduler),
       frames_(static_cast<std::uint32_t>(steps.size())),
       greedy_frames_(static_cast<std::uint32_t>(
           std::count_if(steps.begin(), steps.end(),

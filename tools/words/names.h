@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/graph/arc_length.h"
@@ -12,17 +11,11 @@
 #include "core/seeds/seeds.h"
 #include "parallel/engine/parallel_engine.h"
 #include "parallel/threads/scheduler.h"
-#include "tools/run/remesh.h"
+#include "tools/words/named.h"
 
 namespace geolloyd {
 
-// The words of the command line and of report.json for each choice. Scripts rely on them.
-
-template <class Choice>
-struct Named {
-  const char* name;
-  Choice value;
-};
+// The words for each choice. Scripts rely on them.
 
 /// Makes a generated mesh (shapes.h).
 using Shape = Mesh (*)(std::size_t triangles, std::uint64_t random_seed);
@@ -38,33 +31,16 @@ extern const std::vector<Named<StopReason>> stop_reason_names;
 extern const std::vector<Named<Frontier>> frontier_names;
 extern const std::vector<Named<Backend>> backstop_reason_names;
 extern const std::vector<Named<Phase>> phase_names;
-extern const std::vector<Named<RemeshVertices>> remesh_vertices_names;
 extern const std::vector<Named<double KernelSeconds::*>> kernel_names;
 
 enum class EngineKind { parallel, reference };
 extern const std::vector<Named<EngineKind>> engine_names;
 
-template <class Choice>
-std::vector<std::string> names_of(const std::vector<Named<Choice>>& choices) {
-  std::vector<std::string> names;
-  names.reserve(choices.size());
-  for (const auto& choice : choices) names.emplace_back(choice.name);
-  return names;
-}
-
-/// `name` must be one of the names.
-template <class Choice>
-Choice value_of(const std::vector<Named<Choice>>& choices, const std::string& name) {
-  auto choice = choices.begin();
-  while (choice->name != name) ++choice;
-  return choice->value;
-}
-
-template <class Choice>
-std::string name_of(const std::vector<Named<Choice>>& choices, Choice value) {
-  auto choice = choices.begin();
-  while (choice->value != value) ++choice;
-  return choice->name;
-}
+/// Where the vertices of a remesh are that are not on the boundary.
+enum class RemeshVertices {
+  seeds,
+  centroids  ///< the surface's points closest to the centroids of the ground truth
+};
+extern const std::vector<Named<RemeshVertices>> remesh_vertices_names;
 
 }  // namespace geolloyd

@@ -1,4 +1,4 @@
-#include "tools/cli/facts_text.h"
+#include "tools/words/facts_text.h"
 
 #include <fmt/format.h>
 
