@@ -267,7 +267,7 @@ TEST(Agreement, OfAnInterruptedRunThatGoesOn) {
         const Relaxation part =
             relax(graph, *engine, state, options, [&](const Progress&) { return --left > 0; });
         if (left > 0) continue;  // other threads were too fast to be asked more often
-        ASSERT_EQ(part.end, StopReason::interrupted);
+        ASSERT_EQ(part.stop_reason, StopReason::interrupted);
         for (const Step& step : part.steps) EXPECT_LE(part.energy, step.energy);
         expect_same(relax_by_reference(graph, part.seeds, options),
                     relax(graph, *engine, part.seeds, options));

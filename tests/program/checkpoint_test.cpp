@@ -219,19 +219,21 @@ TEST_F(CheckpointTest, OfALaterProgramSaysWhose) {
 
 // A disk may be full for a while: that is said, and the work goes on.
 TEST_F(CheckpointTest, ThatCannotBeWrittenEndsNoRelaxation) {
-  RunRecord run;
-  run.mesh_graph.graph = graph_;
-  run.arguments.output = folder_.path() / "missing";
-  run.arguments.checkpoint_seconds = 0;
-  run.arguments.greedy = "extended";  // as the relaxations of this fixture
-  ResumableRelaxation relaxation(run, first_);
+  Start start;
+  start.mesh_graph.graph = graph_;
+  start.seeds = first_;
+  RelaxArguments arguments;
+  arguments.output = folder_.path() / "missing";
+  arguments.checkpoint_seconds = 0;
+  arguments.relaxation.greedy = GreedyMode::extended;  // as the relaxations of this fixture
+  ResumableRelaxation relaxation(arguments, start);
   Scheduler scheduler(1);
   ProgressLine progress;
   testing::internal::CaptureStderr();
-  const auto engine = relaxation.relax(scheduler, progress);
+  const EndedRelaxation ended = relaxation.relax(scheduler, progress);
   EXPECT_FALSE(relaxation.save(progress));
   EXPECT_NE(testing::internal::GetCapturedStderr().find("missing"), std::string::npos);
-  expect_same(whole_, run.relaxation);
+  expect_same(whole_, ended.relaxation);
 }
 
 TEST(FlatMap, ReadsWhatWasWritten) {

@@ -1,15 +1,15 @@
 #include "tools/cli/relax_arguments.h"
 
+#include <fmt/format.h>
+
 #include "core/base/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
-#include "tools/render/view.h"
-#include "tools/words/names.h"
 
 namespace geolloyd {
 
-void add_mesh_argument(CLI::App& command, RelaxArguments& a) {
-  command.add_option("MESH", a.mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
+void add_mesh_argument(CLI::App& command, StartArguments& start) {
+  command.add_option("MESH", start.mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
 }
 
 namespace {
@@ -22,167 +22,152 @@ constexpr const char* thread_group = "Threads (they never change a result)";
 
 }  // namespace
 
-void add_seed_options(CLI::App& command, RelaxArguments& a) {
-  whole_number(command.add_option("-k,--seeds", a.seeds, "Number of seeds, and so of regions"), 1,
-               most_32_bits)
+void add_seed_options(CLI::App& command, SeedArguments& seeds) {
+  whole_number(command.add_option("-k,--seeds", seeds.count, "Number of seeds, and so of regions"),
+               1, most_32_bits)
       ->group(seed_group);
   command
-      .add_option("--seeds-file", a.seeds_file,
+      .add_option("--seeds-file", seeds.file,
                   "Start from these seeds instead: an input id or three coordinates\n"
                   "a line, or the seeds.csv of another run")
       ->type_name("FILE")
       ->group(seed_group);
-  add_init_options(command, a);
+  add_init_options(command, seeds);
 }
 
-void add_init_options(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("--init", a.init, "How to choose the first seeds"), seed_init_names)
-      ->capture_default_str()
+void add_init_options(CLI::App& command, SeedArguments& seeds) {
+  add_choice(command, "--init", seeds.init, seed_init_names, "How to choose the first seeds")
       ->group(seed_group);
-  whole_number(
-      command.add_option("--random-seed", a.random_seed, "Other numbers give other first seeds"), 0)
+  whole_number(command.add_option("--random-seed", seeds.random_seed,
+                                  "Other numbers give other first seeds"),
+               0)
       ->capture_default_str()
       ->group(seed_group);
 }
 
-void add_graph_options(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("-g,--graph", a.graph,
-                            "What the nodes are, and how densely they are joined"),
-         graph_kind_names)
-      ->capture_default_str()
+void add_graph_options(CLI::App& command, GraphArguments& graph) {
+  add_choice(command, "-g,--graph", graph.kind, graph_kind_names,
+             "What the nodes are, and how densely they are joined")
       ->group(graph_group);
-  add_metric_options(command, a);
+  add_metric_options(command, graph);
 }
 
-void add_metric_options(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("--norm", a.norm,
-                            "How displacements are measured: manhattan and linf along the\n"
-                            "tangent field or, without one, along the axes of the coordinates"),
-         norm_names)
-      ->capture_default_str()
+void add_metric_options(CLI::App& command, GraphArguments& graph) {
+  add_choice(command, "--norm", graph.norm, norm_names,
+             "How displacements are measured: manhattan and linf along the\n"
+             "tangent field or, without one, along the axes of the coordinates")
       ->group(graph_group);
   command
-      .add_option("--vfield", a.vfield,
+      .add_option("--vfield", graph.vfield,
                   "Tangent field for an anisotropic metric: after a line of column\n"
                   "names k1, k2 and two vectors per vertex")
       ->type_name("FILE")
       ->group(graph_group);
 }
 
-void add_relaxation_options(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("--greedy", a.greedy,
-                            "Greedy phase before the precise one: off, or how it judges a seed's\n"
-                            "neighbours. auto: off from farthest-point seeds, else extended"),
-         greedy_choice_names)
-      ->capture_default_str()
+void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) {
+  add_choice(command, "--greedy", relaxation.greedy, greedy_choice_names,
+             "Greedy phase before the precise one: off, or how it judges a seed's\n"
+             "neighbours. auto: off from farthest-point seeds, else extended")
       ->group(relaxation_group);
   command
-      .add_flag("--no-microstep-skip", a.no_microstep_skip,
+      .add_flag("--no-microstep-skip", relaxation.no_microstep_skip,
                 "Search regions again even if their seed stayed: slower, same result")
       ->group(relaxation_group);
   command
-      .add_flag("--no-macrostep-skip", a.no_macrostep_skip,
+      .add_flag("--no-macrostep-skip", relaxation.no_macrostep_skip,
                 "Move seeds even if the score of their region did not change")
       ->group(relaxation_group);
-  add_limit_options(command, a);
+  add_limit_options(command, relaxation);
 }
 
-void add_limit_options(CLI::App& command, RelaxArguments& a) {
-  whole_number(command.add_option("--max-greedy-steps", a.max_greedy_steps,
+void add_limit_options(CLI::App& command, RelaxationArguments& relaxation) {
+  whole_number(command.add_option("--max-greedy-steps", relaxation.max_greedy_steps,
                                   "End the greedy phase after these"),
                0, most_32_bits)
       ->group(relaxation_group);
-  whole_number(
-      command.add_option("--max-macrosteps", a.max_macrosteps, "End the precise phase after these"),
-      0, most_32_bits)
+  whole_number(command.add_option("--max-macrosteps", relaxation.max_macrosteps,
+                                  "End the precise phase after these"),
+               0, most_32_bits)
       ->group(relaxation_group);
 }
 
-void add_engine_option(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("--engine", a.engine,
-                            "parallel, or the sequential reference: slow, the same result"),
-         engine_names)
-      ->capture_default_str();
+void add_engine_option(CLI::App& command, EngineArguments& engine) {
+  add_choice(command, "--engine", engine.kind, engine_names,
+             "parallel, or the sequential reference: slow, the same result");
 }
 
-void add_thread_options(CLI::App& command, RelaxArguments& a) {
-  one_of(command.add_option("--frontier", a.frontier,
-                            "How the parallel engine finds regions: heap and delta from\n"
-                            "scratch, regions only where something changed"),
-         frontier_names)
-      ->capture_default_str()
+void add_frontier_option(CLI::App& command, EngineArguments& engine) {
+  add_choice(command, "--frontier", engine.frontier, frontier_names,
+             "How the parallel engine finds regions: heap and delta from\n"
+             "scratch, regions only where something changed")
       ->group(thread_group);
-  add_scheduler_options(command, a);
 }
 
-void add_scheduler_options(CLI::App& command, RelaxArguments& a) {
+void add_thread_options(CLI::App& command, ThreadArguments& threads) {
   whole_number(
-      command.add_option("--threads", a.threads, "How many (default: all the machine has)"), 1,
+      command.add_option("--threads", threads.count, "How many (default: all the machine has)"), 1,
       most_threads)
       ->group(thread_group);
-  one_of(command.add_option("--backend", a.backend, "Whose threads: oneTBB's or OpenMP's"),
-         backend_names)
-      ->capture_default_str()
+  add_choice(command, "--backend", threads.backend, backend_names,
+             "Whose threads: oneTBB's or OpenMP's")
       ->group(thread_group);
 }
 
-void add_picture_options(CLI::App& command, RelaxArguments& a) {
+void add_picture_options(CLI::App& command, PictureArguments& picture) {
   const char* group = "Pictures";
   command
-      .add_option("--view", a.view,
-                  "From where: front, back, left, right, top, bottom, or\n"
-                  "AZIMUTH,ELEVATION in degrees; front is along the shortest side")
+      .add_option_function<std::string>(
+          "--view", [&picture](const std::string& text) { picture.view = parse_view(text); },
+          "From where: front, back, left, right, top, bottom, or\n"
+          "AZIMUTH,ELEVATION in degrees; front is along the shortest side")
       ->type_name("VIEW")
-      ->capture_default_str()
+      ->default_str(fmt::format("{},{}", picture.view.azimuth, picture.view.elevation))
       ->group(group);
   command
-      .add_option("--size", a.size, "WIDTH, as high as the mesh needs it, or WIDTHxHEIGHT, pixels")
+      .add_option_function<std::string>(
+          "--size", [&picture](const std::string& text) { picture.size = parse_size(text); },
+          "WIDTH, as high as the mesh needs it, or WIDTHxHEIGHT, pixels")
       ->type_name("SIZE")
-      ->capture_default_str()
+      ->default_str(std::to_string(picture.size.width))
       ->group(group);
 }
 
-void add_remesh_options(CLI::App& command, RelaxArguments& a) {
+void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
   const char* group = "Remesh";
   command
-      .add_flag("--manifold,!--no-manifold", a.manifold,
+      .add_flag("--manifold,!--no-manifold", remesh.manifold,
                 "Add seeds to it until it is a manifold of the input's topology\n"
                 "(default: yes)")
       ->group(group);
-  one_of(command.add_option("--remesh-vertices", a.remesh_vertices,
-                            "Where its vertices are: at the seeds, or on the surface where the\n"
-                            "centroids of the ground truth's regions are nearest"),
-         remesh_vertices_names)
-      ->capture_default_str()
+  add_choice(command, "--remesh-vertices", remesh.vertices, remesh_vertices_names,
+             "Where its vertices are: at the seeds, or on the surface where the\n"
+             "centroids of the ground truth's regions are nearest")
       ->group(group);
 }
 
-void check_arguments(const RelaxArguments& a) {
-  if (a.seeds == 0 && a.seeds_file.empty()) {
+void check_seeds(const SeedArguments& seeds) {
+  if (seeds.count == 0 && seeds.file.empty()) {
     throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
   }
-  if (a.seeds != 0 && !a.seeds_file.empty()) {
+  if (seeds.count != 0 && !seeds.file.empty()) {
     throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
   }
-  parse_view(a.view);
-  parse_size(a.size);
 }
 
 namespace {
 
 // Of seeds from a file nobody knows how they were chosen.
-GreedyMode greedy_mode(const RelaxArguments& a) {
-  const std::optional<GreedyMode> asked = value_of(greedy_choice_names, a.greedy);
+GreedyMode greedy_mode(const SeedArguments& seeds, std::optional<GreedyMode> asked) {
   if (asked) return *asked;
-  return a.seeds_file.empty() ? suggested_greedy_mode(value_of(seed_init_names, a.init))
-                              : GreedyMode::extended;
+  return seeds.file.empty() ? suggested_greedy_mode(seeds.init) : GreedyMode::extended;
 }
 
 }  // namespace
 
-RelaxationOptions relaxation_options(const RelaxArguments& a) {
-  return {greedy_mode(a), !a.no_microstep_skip, !a.no_macrostep_skip, a.max_greedy_steps,
-          a.max_macrosteps};
+RelaxationOptions relaxation_options(const SeedArguments& seeds, const RelaxationArguments& a) {
+  return {greedy_mode(seeds, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
+          a.max_greedy_steps, a.max_macrosteps};
 }
 
 }  // namespace geolloyd

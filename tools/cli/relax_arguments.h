@@ -2,62 +2,110 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <optional>
+#include <vector>
 
 #include "core/lloyd/relaxation.h"
 #include "tools/cli/cli_fwd.h"
+#include "tools/render/view.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
+
+// What the command line of `relax` and of its relatives says, by what it concerns.
 
 /// Of --threads: each has memory of its own to work in.
 inline constexpr int most_threads = 1024;
 
-/// What the command line of `relax`, and of its relatives, says, in its own words (names.h).
-struct RelaxArguments {
-  std::filesystem::path mesh;
-  std::filesystem::path output;
-  std::filesystem::path picture;
-  bool manifold = true;
-  std::string remesh_vertices = "seeds";
-  std::filesystem::path frames;  ///< a folder
-  std::string view = "25,15";
-  std::string size = "1280";
-  bool ground_truth = false;
-  double checkpoint_seconds = 60;  ///< between two of them
-  bool resume = false;
-  std::size_t seeds = 0;  ///< 0: not given
-  std::filesystem::path seeds_file;
-  std::string init = "farthest";
+/// The first seeds: a number of them to choose, or a file.
+struct SeedArguments {
+  std::size_t count = 0;  ///< 0: not given
+  std::filesystem::path file;
+  SeedInit init = SeedInit::farthest;
   std::uint64_t random_seed = 1;
-  std::string graph = "vertex";
-  std::string norm = "geodesic";
+};
+
+struct GraphArguments {
+  GraphKind kind = GraphKind::vertex;
+  Norm norm = Norm::geodesic;
   std::filesystem::path vfield;
-  std::string greedy = "auto";
+};
+
+/// What a tessellation begins with.
+struct StartArguments {
+  std::filesystem::path mesh;
+  SeedArguments seeds;
+  GraphArguments graph;
+
+  /// The files that are read, some of them empty: no result may replace one.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const {
+    return {mesh, graph.vfield, seeds.file};
+  }
+};
+
+struct RelaxationArguments {
+  std::optional<GreedyMode> greedy;  ///< empty: goes by how the first seeds are chosen
   bool no_microstep_skip = false;
   bool no_macrostep_skip = false;
   std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;
   std::uint32_t max_macrosteps = RelaxationOptions::no_limit;
-  std::string engine = "parallel";
-  std::string frontier = "auto";
-  std::size_t threads = 0;  ///< 0: all the machine has
-  std::string backend = "tbb";
 };
 
-void add_mesh_argument(CLI::App& command, RelaxArguments& a);
-void add_seed_options(CLI::App& command, RelaxArguments& a);   // with those of the next line
-void add_init_options(CLI::App& command, RelaxArguments& a);   // how, not how many
-void add_graph_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
-void add_metric_options(CLI::App& command, RelaxArguments& a);
-void add_relaxation_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
-void add_limit_options(CLI::App& command, RelaxArguments& a);
-void add_engine_option(CLI::App& command, RelaxArguments& a);
-void add_thread_options(CLI::App& command, RelaxArguments& a);  // with those of the next line
-void add_scheduler_options(CLI::App& command, RelaxArguments& a);
-void add_remesh_options(CLI::App& command, RelaxArguments& a);
-void add_picture_options(CLI::App& command, RelaxArguments& a);  // how pictures look
+struct EngineArguments {
+  EngineKind kind = EngineKind::parallel;
+  Frontier frontier = Frontier::automatic;  ///< of the parallel engine
+};
+
+struct ThreadArguments {
+  std::size_t count = 0;  ///< 0: all the machine has
+  Backend backend = Backend::tbb;
+};
+
+struct RemeshArguments {
+  bool manifold = true;
+  RemeshVertices vertices = RemeshVertices::seeds;
+};
+
+/// How pictures look.
+struct PictureArguments {
+  View view{25, 15};
+  Size size{1280, 0};
+};
+
+/// All of `relax`.
+struct RelaxArguments {
+  StartArguments start;
+  RelaxationArguments relaxation;
+  EngineArguments engine;
+  ThreadArguments threads;
+  RemeshArguments remesh;
+  PictureArguments picture;
+  std::filesystem::path output;        ///< a folder
+  std::filesystem::path picture_file;  ///< empty: none
+  std::filesystem::path frames;        ///< a folder; empty: none
+  bool ground_truth = false;
+  double checkpoint_seconds = 60;  ///< between two of them
+  bool resume = false;
+};
+
+void add_mesh_argument(CLI::App& command, StartArguments& start);
+void add_seed_options(CLI::App& command, SeedArguments& seeds);    // with those of the next line
+void add_init_options(CLI::App& command, SeedArguments& seeds);    // how, not how many
+void add_graph_options(CLI::App& command, GraphArguments& graph);  // with those of the next line
+void add_metric_options(CLI::App& command, GraphArguments& graph);
+/// Adds the options of the next line, too.
+void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation);
+void add_limit_options(CLI::App& command, RelaxationArguments& relaxation);
+void add_engine_option(CLI::App& command, EngineArguments& engine);
+void add_frontier_option(CLI::App& command, EngineArguments& engine);
+void add_thread_options(CLI::App& command, ThreadArguments& threads);
+void add_remesh_options(CLI::App& command, RemeshArguments& remesh);
+void add_picture_options(CLI::App& command, PictureArguments& picture);
 
 /// Throws InvalidInput where options contradict each other.
-void check_arguments(const RelaxArguments& a);
-RelaxationOptions relaxation_options(const RelaxArguments& a);
+void check_seeds(const SeedArguments& seeds);
+/// The options in force: --greedy auto goes by the seeds.
+RelaxationOptions relaxation_options(const SeedArguments& seeds,
+                                     const RelaxationArguments& relaxation);
 
 }  // namespace geolloyd

@@ -28,20 +28,23 @@ namespace {
 const std::vector<Named<bool>> switch_names = {{"on", true}, {"off", false}};
 
 struct BatchArguments {
-  RelaxArguments relax;
+  StartArguments start;  // but for the number of seeds and the kind of graph
+  RelaxationArguments limits;
+  EngineArguments engine;
+  ThreadArguments threads;
   std::vector<std::string> seeds;
   std::size_t batches = 3;
-  std::vector<std::string> graphs = names_of(graph_kind_names);
-  std::vector<std::string> greedy = names_of(greedy_mode_names);
-  std::vector<std::string> macrostep_skip = names_of(switch_names);
-  std::vector<std::string> microstep_skip = names_of(switch_names);
+  std::vector<GraphKind> graphs = values_of(graph_kind_names);
+  std::vector<GreedyMode> greedy = values_of(greedy_mode_names);
+  std::vector<bool> macrostep_skip = values_of(switch_names);
+  std::vector<bool> microstep_skip = values_of(switch_names);
   ExperimentOutput output;
 };
 
 using Triangles = std::vector<std::uint32_t>;
 
 /// The first seeds of one batch, as triangles.
-struct Start {
+struct FirstSeeds {
   std::size_t seeds;
   std::size_t batch;  // from 1
   Triangles places;
@@ -63,21 +66,21 @@ void check_first_seeds(std::size_t seeds, std::size_t triangles, std::size_t com
 }
 
 // Chosen on the triangle graph, each batch by a random seed of its own.
-std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std::size_t>& ladder,
-                                 const Mesh& mesh, const MeshEdges& edges, Scheduler& scheduler) {
+std::vector<FirstSeeds> choose_starts(const BatchArguments& a,
+                                      const std::vector<std::size_t>& ladder, const Mesh& mesh,
+                                      const MeshEdges& edges, Scheduler& scheduler) {
   MeshGraphOptions options;
   options.kind = GraphKind::triangle;
   const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
   const Components components = connected_components(made.graph);
-  std::vector<Start> starts;
+  std::vector<FirstSeeds> starts;
   for (const std::size_t k : ladder) {
     check_first_seeds(k, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= a.batches; ++batch) {
-      Start start{k, batch, {}};
-      for (const NodeId s :
-           choose_seeds(made.graph, components, value_of(seed_init_names, a.relax.init), k,
-                        a.relax.random_seed + batch - 1,
-                        *make_parallel_growing_search(scheduler, made.graph))) {
+      FirstSeeds start{k, batch, {}};
+      for (const NodeId s : choose_seeds(made.graph, components, a.start.seeds.init, k,
+                                         a.start.seeds.random_seed + batch - 1,
+                                         *make_parallel_growing_search(scheduler, made.graph))) {
         start.places.push_back(made.input_id[s]);
       }
       starts.push_back(std::move(start));
@@ -87,31 +90,29 @@ std::vector<Start> choose_starts(const BatchArguments& a, const std::vector<std:
 }
 
 // Before any work: are there enough vertices everywhere?
-void check_starts(const std::vector<Start>& starts, const Mesh& mesh, const MeshEdges& edges,
+void check_starts(const std::vector<FirstSeeds>& starts, const Mesh& mesh, const MeshEdges& edges,
                   Scheduler& scheduler) {
   const MeshGraph made = make_mesh_graph(mesh, edges, {}, scheduler);
-  for (const Start& start : starts) seeds_at_triangles(mesh, made, start.places);
+  for (const FirstSeeds& start : starts) seeds_at_triangles(mesh, made, start.places);
 }
 
 // All there are for one graph and number of seeds.
-std::vector<BatchRow> empty_rows(const BatchArguments& a, const std::string& graph,
-                                 std::size_t seeds) {
+std::vector<BatchRow> empty_rows(const BatchArguments& a, GraphKind graph, std::size_t seeds) {
   std::vector<BatchRow> rows;
-  for (const std::string& greedy : a.greedy) {
-    for (const std::string& macro : a.macrostep_skip) {
-      for (const std::string& micro : a.microstep_skip) {
+  for (const GreedyMode greedy : a.greedy) {
+    for (const bool macro : a.macrostep_skip) {
+      for (const bool micro : a.microstep_skip) {
         rows.emplace_back();
-        rows.back().configuration = {graph, seeds, greedy, value_of(switch_names, macro),
-                                     value_of(switch_names, micro)};
+        rows.back().configuration = {graph, seeds, greedy, macro, micro};
       }
     }
   }
   return rows;
 }
 
-RelaxationOptions options_of(const RelaxArguments& limits, const Configuration& c) {
-  RelaxationOptions options = relaxation_options(limits);
-  options.greedy = value_of(greedy_mode_names, c.greedy);
+RelaxationOptions options_of(const RelaxationArguments& limits, const Configuration& c) {
+  RelaxationOptions options = relaxation_options({}, limits);
+  options.greedy = c.greedy;
   options.macrostep_skip = c.macrostep_skip;
   options.microstep_skip = c.microstep_skip;
   return options;
@@ -119,29 +120,34 @@ RelaxationOptions options_of(const RelaxArguments& limits, const Configuration& 
 
 class Batches {
  public:
-  Batches(const BatchArguments& arguments, RunRecord& run, Scheduler& scheduler,
-          ProgressLine& progress)
-      : arguments_(arguments), run_(run), scheduler_(scheduler), progress_(progress) {}
+  /// All must live on. Chooses the first seeds of all batches.
+  Batches(const BatchArguments& arguments, std::vector<std::size_t> ladder,
+          const LoadedInput& loaded, Scheduler& scheduler, ProgressLine& progress)
+      : arguments_(arguments),
+        ladder_(std::move(ladder)),
+        loaded_(loaded),
+        scheduler_(scheduler),
+        progress_(progress) {
+    check_ladder();
+    progress_.stage("choosing seeds");
+    const Mesh& mesh = loaded_.input.mesh();
+    starts_ = choose_starts(arguments_, ladder_, mesh, loaded_.edges, scheduler_);
+    check_starts(starts_, mesh, loaded_.edges, scheduler_);
+  }
 
   /// Calls `save` with all rows so far after each graph and number of seeds.
   std::vector<BatchRow> run(const std::function<void(const std::vector<BatchRow>&)>& save) {
-    const std::vector<std::size_t> ladder = seed_ladder(arguments_.seeds);
-    progress_.stage("reading " + run_.arguments.mesh.string());
-    const MeshEdges edges = load_mesh(run_, scheduler_);
-    check(ladder);
-    progress_.stage("choosing seeds");
-    starts_ = choose_starts(arguments_, ladder, run_.input.mesh, edges, scheduler_);
-    check_starts(starts_, run_.input.mesh, edges, scheduler_);
-    catch_interrupts();  // before the folder appears, which tells others that it is done
-    prepare_output(arguments_.output, "batch", run_.arguments);
     std::vector<BatchRow> rows;
-    for (const std::string& graph : arguments_.graphs) {
-      run_.arguments.graph = graph;
-      progress_.stage("building the " + graph + " graph");
+    for (const GraphKind graph : arguments_.graphs) {
+      progress_.stage("building the " + name_of(graph_kind_names, graph) + " graph");
+      GraphArguments as_asked = arguments_.start.graph;
+      as_asked.kind = graph;
       // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
-      build_graph(run_, scheduler_, edges, 1);
-      for (const std::size_t k : ladder) {
-        for (BatchRow& row : run_from(graph, k)) rows.push_back(row);
+      const Purpose purpose{arguments_.engine.kind, false, {}};
+      const MeshGraph mesh_graph =
+          build_graph(as_asked, loaded_, 1, purpose, scheduler_).mesh_graph;
+      for (const std::size_t k : ladder_) {
+        for (BatchRow& row : run_from(mesh_graph, k)) rows.push_back(row);
         save(rows);
         if (interrupted()) return rows;
       }
@@ -150,58 +156,61 @@ class Batches {
   }
 
  private:
-  void check(const std::vector<std::size_t>& ladder) const {
-    for (const std::size_t k : ladder) {
-      if (k <= run_.facts.vertices) continue;
+  void check_ladder() const {
+    const std::size_t vertices = loaded_.input.facts.vertices;
+    for (const std::size_t k : ladder_) {
+      if (k <= vertices) continue;
       throw InvalidInput(fmt::format("{} seeds: this mesh has only {}", grouped(k),
-                                     counted(run_.facts.vertices, "vertex", "vertices")));
+                                     counted(vertices, "vertex", "vertices")));
     }
   }
 
-  std::vector<BatchRow> run_from(const std::string& graph, std::size_t seeds) {
-    std::vector<BatchRow> rows = empty_rows(arguments_, graph, seeds);
-    for (const Start& start : starts_) {
+  std::vector<BatchRow> run_from(const MeshGraph& mesh_graph, std::size_t seeds) {
+    std::vector<BatchRow> rows = empty_rows(arguments_, mesh_graph.kind, seeds);
+    for (const FirstSeeds& start : starts_) {
       if (start.seeds != seeds) continue;
       const std::vector<NodeId> first =
-          seeds_at_triangles(run_.input.mesh, run_.mesh_graph, start.places);
+          seeds_at_triangles(loaded_.input.mesh(), mesh_graph, start.places);
       for (BatchRow& row : rows) {
-        if (!interrupted()) run_one(row, start, first);
+        if (!interrupted()) run_one(row, mesh_graph.graph, start, first);
       }
     }
     std::erase_if(rows, [](const BatchRow& row) { return row.batches == 0; });
     return rows;
   }
 
-  void run_one(BatchRow& row, const Start& start, const std::vector<NodeId>& first) {
+  void run_one(BatchRow& row, const Graph& graph, const FirstSeeds& start,
+               const std::vector<NodeId>& first) {
     const Configuration& c = row.configuration;
-    const RelaxArguments& a = arguments_.relax;
-    progress_.part(fmt::format("{}, {}, batch {}, {}, skips {} {}:", c.graph,
-                               counted(c.seeds, "seed", "seeds"), start.batch, c.greedy,
-                               name_of(switch_names, c.macrostep_skip),
-                               name_of(switch_names, c.microstep_skip)));
-    const MeasuredRun measured = measure_run(
-        value_of(engine_names, a.engine), value_of(frontier_names, a.frontier), scheduler_,
-        run_.mesh_graph.graph, first, options_of(a, c), watcher(progress_, first.size()));
+    progress_.part(fmt::format(
+        "{}, {}, batch {}, {}, skips {} {}:", name_of(graph_kind_names, c.graph),
+        counted(c.seeds, "seed", "seeds"), start.batch, name_of(greedy_mode_names, c.greedy),
+        name_of(switch_names, c.macrostep_skip), name_of(switch_names, c.microstep_skip)));
+    const EngineArguments& engine = arguments_.engine;
+    const MeasuredRun measured =
+        measure_run(engine.kind, engine.frontier, scheduler_, graph, first,
+                    options_of(arguments_.limits, c), watcher(progress_, first.size()));
     if (measured.relaxation.stop_reason == StopReason::interrupted) return;
     row.add(measured.relaxation, measured.seconds);
   }
 
   const BatchArguments& arguments_;
-  RunRecord& run_;
+  std::vector<std::size_t> ladder_;
+  const LoadedInput& loaded_;
   Scheduler& scheduler_;
   ProgressLine& progress_;
-  std::vector<Start> starts_;
+  std::vector<FirstSeeds> starts_;
 };
 
 std::string table_of(const std::vector<BatchRow>& rows) {
   TextTable table({"graph", "greedy", "macro skip", "micro skip", "seeds", "batches", "mean time",
                    "from", "to", "greedy steps", "macrosteps", "microsteps", "energy"},
                   4);
-  const auto on = [](bool value) { return value ? "on" : "off"; };
   for (const BatchRow& row : rows) {
     const Configuration& c = row.configuration;
-    table.add({c.graph, c.greedy, on(c.macrostep_skip), on(c.microstep_skip), grouped(c.seeds),
-               std::to_string(row.batches), duration_text(row.seconds.mean()),
+    table.add({name_of(graph_kind_names, c.graph), name_of(greedy_mode_names, c.greedy),
+               name_of(switch_names, c.macrostep_skip), name_of(switch_names, c.microstep_skip),
+               grouped(c.seeds), std::to_string(row.batches), duration_text(row.seconds.mean()),
                duration_text(row.seconds.min()), duration_text(row.seconds.max()),
                fmt::format("{:.1f}", row.greedy_steps.mean()),
                fmt::format("{:.1f}", row.macrosteps.mean()),
@@ -211,62 +220,65 @@ std::string table_of(const std::vector<BatchRow>& rows) {
   return table.text();
 }
 
-Json result_of(const BatchArguments& a, const RunRecord& run, std::size_t threads, const Json& rows,
+Json result_of(const BatchArguments& a, const Input& input, std::size_t threads, const Json& rows,
                bool is_complete) {
-  const bool parallel = value_of(engine_names, a.relax.engine) == EngineKind::parallel;
-  Json result = begin_result("batch", run);
-  result["options"] = options_part(run.arguments, 0);
-  result["options"].update(Json{{"graph", a.graphs},
+  const EngineKind engine = a.engine.kind;
+  Json result = begin_result("batch", input);
+  result["options"] = options_part(a.start, a.limits, 0);
+  result["options"].update(Json{{"graph", names_of(graph_kind_names, a.graphs)},
                                 {"seeds", seed_ladder(a.seeds)},
-                                {"greedy", a.greedy},
-                                {"macrostep_skip", a.macrostep_skip},
-                                {"microstep_skip", a.microstep_skip},
+                                {"greedy", names_of(greedy_mode_names, a.greedy)},
+                                {"macrostep_skip", names_of(switch_names, a.macrostep_skip)},
+                                {"microstep_skip", names_of(switch_names, a.microstep_skip)},
                                 {"batches", a.batches},
-                                {"engine", a.relax.engine},
-                                {"threads", parallel ? threads : 1},
-                                {"frontier", parallel ? Json(a.relax.frontier) : Json(nullptr)},
-                                {"backend", parallel ? Json(a.relax.backend) : Json(nullptr)}});
+                                {"engine", name_of(engine_names, engine)},
+                                {"threads", engine == EngineKind::reference ? 1 : threads},
+                                {"frontier", frontier_part(engine, a.engine.frontier)},
+                                {"backend", backend_part(engine, a.threads.backend)}});
   result["interrupted"] = !is_complete;
   result["rows"] = rows;
   return result;
 }
 
 void run_batch(BatchArguments& arguments) {
-  for (auto* list : {&arguments.graphs, &arguments.greedy, &arguments.macrostep_skip,
-                     &arguments.microstep_skip}) {
-    drop_repeats(*list);
-  }
-  RunRecord run;
-  run.arguments = arguments.relax;
+  drop_repeats(arguments.graphs);
+  drop_repeats(arguments.greedy);
+  drop_repeats(arguments.macrostep_skip);
+  drop_repeats(arguments.microstep_skip);
   ProgressLine progress;
-  Scheduler scheduler = make_scheduler(run.arguments);
+  Scheduler scheduler = make_scheduler(arguments.threads);
+  std::vector<std::size_t> ladder = seed_ladder(arguments.seeds);
+  progress.stage("reading " + arguments.start.mesh.string());
+  const LoadedInput loaded = load_input(arguments.start.mesh, scheduler);
+  const Input& input = loaded.input;
+  Batches batches(arguments, std::move(ladder), loaded, scheduler, progress);
+  catch_interrupts();  // before the folder appears, which tells others that it is done
+  prepare_output(arguments.output, "batch", arguments.start);
   const auto save = [&](const std::vector<BatchRow>& rows, bool is_complete) {
     Json json = Json::array();
     for (const BatchRow& row : rows) json.push_back(row_json(row));
     save_result(arguments.output, "batch", json,
-                result_of(arguments, run, scheduler.threads(), json, is_complete));
+                result_of(arguments, input, scheduler.threads(), json, is_complete));
   };
   const std::vector<BatchRow> rows =
-      Batches(arguments, run, scheduler, progress).run([&](const std::vector<BatchRow>& so_far) {
-        save(so_far, false);
-      });
+      batches.run([&](const std::vector<BatchRow>& so_far) { save(so_far, false); });
   save(rows, !interrupted());
   progress.clear();
-  fmt::print("{}: {}, {}\n", run.arguments.mesh.string(),
-             counted(run.facts.vertices, "vertex", "vertices"),
-             counted(run.facts.triangles, "triangle", "triangles"));
+  fmt::print("{}: {}, {}\n", input.file.string(),
+             counted(input.facts.vertices, "vertex", "vertices"),
+             counted(input.facts.triangles, "triangle", "triangles"));
   print_machine();
-  fmt::print("{}\nmeans over batches, {} engine\n", table_of(rows), arguments.relax.engine);
+  fmt::print("{}\nmeans over batches, {} engine\n", table_of(rows),
+             name_of(engine_names, arguments.engine.kind));
   finish_experiment(arguments.output, "batch");
   if (interrupted()) throw InterruptedExit{};
 }
 
 template <class Choice>
-void add_list(CLI::App& command, const char* name, std::vector<std::string>& list, const char* what,
+void add_list(CLI::App& command, const char* name, std::vector<Choice>& list, const char* what,
               const std::vector<Named<Choice>>& choices) {
-  one_of(command.add_option(name, list, what), choices)
-      ->delimiter(',')
-      ->allow_extra_args(false)
+  add_choice_list(command, name, list, choices, what)
+      ->default_str("")
       ->group("What to vary (lists, separated by commas; default: all)");
 }
 
@@ -277,7 +289,7 @@ void add_batch_command(CLI::App& program) {
       "batch",
       "Relax from many first seeds, in all graphs and with all options: the thesis's experiment");
   const auto a = std::make_shared<BatchArguments>();
-  add_mesh_argument(*command, a->relax);
+  add_mesh_argument(*command, a->start);
   command
       ->add_option("-k,--seeds", a->seeds,
                    "Numbers of seeds: 1024, or 16,1024, or 4..1024 for 4, 8, 16... 1024")
@@ -297,12 +309,13 @@ void add_batch_command(CLI::App& program) {
   add_list(*command, "--microstep-skip", a->microstep_skip,
            "Search only regions whose seed moved: changes the reference's time, no result",
            switch_names);
-  add_engine_option(*command, a->relax);
-  a->relax.init = "random-area";
-  add_init_options(*command, a->relax);
-  add_metric_options(*command, a->relax);
-  add_limit_options(*command, a->relax);
-  add_thread_options(*command, a->relax);
+  add_engine_option(*command, a->engine);
+  a->start.seeds.init = SeedInit::random_area;
+  add_init_options(*command, a->start.seeds);
+  add_metric_options(*command, a->start.graph);
+  add_limit_options(*command, a->limits);
+  add_frontier_option(*command, a->engine);
+  add_thread_options(*command, a->threads);
   command->footer(
       "First seeds are chosen as triangles, and lie there or at their corners in all graphs.");
   command->callback([a] { run_batch(*a); });

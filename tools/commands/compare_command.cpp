@@ -18,10 +18,11 @@ namespace geolloyd {
 namespace {
 
 struct CompareArguments {
-  RelaxArguments relax;
+  StartArguments start;
+  RelaxationArguments relaxation;
   std::vector<std::size_t> threads;  // none: 1, 2, 4... up to all the machine has
-  std::vector<std::string> frontiers = {"regions"};
-  std::vector<std::string> backends = {"tbb"};
+  std::vector<Frontier> frontiers = {Frontier::regions};
+  std::vector<Backend> backends = {Backend::tbb};
   std::size_t turns = 3;
   bool no_reference = false;
   ExperimentOutput output;
@@ -30,14 +31,10 @@ struct CompareArguments {
 std::vector<Contender> contenders_of(const CompareArguments& a) {
   std::vector<Contender> contenders;
   if (!a.no_reference) contenders.push_back({EngineKind::reference, {}, {}, 1, {}});
-  for (const std::string& frontier : a.frontiers) {
-    for (const std::string& backend : a.backends) {
+  for (const Frontier frontier : a.frontiers) {
+    for (const Backend backend : a.backends) {
       for (const std::size_t threads : a.threads.empty() ? thread_ladder() : a.threads) {
-        contenders.push_back({EngineKind::parallel,
-                              value_of(frontier_names, frontier),
-                              value_of(backend_names, backend),
-                              threads,
-                              {}});
+        contenders.push_back({EngineKind::parallel, frontier, backend, threads, {}});
       }
     }
   }
@@ -64,9 +61,9 @@ std::string table_of(const Comparison& comparison) {
   return table.text();
 }
 
-void print_comparison(const RunRecord& run, std::size_t seeds, const Comparison& comparison) {
+void print_comparison(const Start& start, const Comparison& comparison) {
   const StepCounts& steps = comparison.steps;
-  print_heading(run, seeds);
+  print_heading(start.input, start.mesh_graph, start.seeds.size());
   fmt::print("{}\n", table_of(comparison));
   fmt::print("{}, {} of {}, {} by definition\n",
              counted(steps.greedy, "greedy step", "greedy steps"),
@@ -75,12 +72,12 @@ void print_comparison(const RunRecord& run, std::size_t seeds, const Comparison&
              counted(steps.node_visits, "node visit", "node visits"));
 }
 
-Json result_of(const RunRecord& run, std::size_t seeds, const Comparison& comparison,
+Json result_of(const CompareArguments& a, const Start& start, const Comparison& comparison,
                const Json& rows) {
-  Json result = begin_result("compare", run);
-  result["options"] = options_part(run.arguments, seeds);
+  Json result = begin_result("compare", start.input);
+  result["options"] = options_part(a.start, a.relaxation, start.seeds.size());
   result["interrupted"] = interrupted();
-  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
+  result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["steps"] = steps_part(comparison.steps);
   result["runs"] = rows;
   return result;
@@ -90,25 +87,22 @@ void run_compare(CompareArguments& arguments) {
   drop_repeats(arguments.threads);
   drop_repeats(arguments.frontiers);
   drop_repeats(arguments.backends);
-  check_arguments(arguments.relax);
-  RunRecord run;
-  run.arguments = arguments.relax;
+  check_seeds(arguments.start.seeds);
   ProgressLine progress;
-  std::vector<NodeId> seeds;
-  {
+  const Start start = [&] {
     Scheduler scheduler;
-    seeds = prepare(run, scheduler, progress);
-  }
+    return prepare(arguments.start, {}, scheduler, progress);
+  }();
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(arguments.output, "compare", arguments.relax);
+  prepare_output(arguments.output, "compare", arguments.start);
   const Comparison comparison =
-      compare(contenders_of(arguments), arguments.turns, run.mesh_graph.graph, seeds,
-              relaxation_options(arguments.relax), progress);
+      compare(contenders_of(arguments), arguments.turns, start.mesh_graph.graph, start.seeds,
+              relaxation_options(arguments.start.seeds, arguments.relaxation), progress);
   progress.clear();
   if (!comparison.contenders.empty()) {
     const Json rows = rows_of(comparison);
-    save_result(arguments.output, "compare", rows, result_of(run, seeds.size(), comparison, rows));
-    print_comparison(run, seeds.size(), comparison);
+    save_result(arguments.output, "compare", rows, result_of(arguments, start, comparison, rows));
+    print_comparison(start, comparison);
   }
   finish_experiment(arguments.output, "compare");
   for (const Contender& c : comparison.contenders) {
@@ -126,11 +120,11 @@ void add_compare_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "compare", "Time the reference against the parallel engine, by threads, frontier, backend");
   const auto a = std::make_shared<CompareArguments>();
-  add_mesh_argument(*command, a->relax);
+  add_mesh_argument(*command, a->start);
   add_output_options(*command, a->output, "compare");
-  add_seed_options(*command, a->relax);
-  add_graph_options(*command, a->relax);
-  add_relaxation_options(*command, a->relax);
+  add_seed_options(*command, a->start.seeds);
+  add_graph_options(*command, a->start.graph);
+  add_relaxation_options(*command, a->relaxation);
   const char* group = "What to compare (lists, separated by commas; all combinations)";
   whole_number(
       command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has"),
@@ -139,15 +133,9 @@ void add_compare_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("NUMBERS")
       ->group(group);
-  one_of(command->add_option("--frontiers", a->frontiers, "How regions are found"), frontier_names)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str()
+  add_choice_list(*command, "--frontiers", a->frontiers, frontier_names, "How regions are found")
       ->group(group);
-  one_of(command->add_option("--backends", a->backends, "Whose threads"), backend_names)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str()
+  add_choice_list(*command, "--backends", a->backends, backend_names, "Whose threads")
       ->group(group);
   whole_number(
       command->add_option("--turns", a->turns, "How often each is timed; the reference once"), 1,

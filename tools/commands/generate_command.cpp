@@ -17,8 +17,8 @@
 namespace geolloyd {
 namespace {
 
-struct Arguments {
-  std::string shape;
+struct GenerateArguments {
+  Shape shape = nullptr;
   std::filesystem::path output;
   std::size_t triangles = 1'000'000;
   std::uint64_t random_seed = 1;
@@ -28,8 +28,8 @@ struct Arguments {
 
 void add_generate_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("generate", "Make a mesh of a shape");
-  const auto arguments = std::make_shared<Arguments>();
-  one_of(command->add_option("SHAPE", arguments->shape, "What to make")->required(), shape_names);
+  const auto arguments = std::make_shared<GenerateArguments>();
+  add_choice(*command, "SHAPE", arguments->shape, shape_names, "What to make")->required();
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
       ->type_name("FILE")
       ->required();
@@ -41,11 +41,10 @@ void add_generate_command(CLI::App& program) {
       ->capture_default_str();
   command->callback([arguments] {
     check_mesh_target(arguments->output, {});
-    const Shape shape = value_of(shape_names, arguments->shape);
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
       announce_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
     }
-    const Mesh mesh = shape(arguments->triangles, arguments->random_seed);
+    const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
     write_mesh(arguments->output, mesh);
     fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
                grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/base/stopwatch.h"
 #include "tools/cli/folder_option.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/experiment.h"
@@ -12,24 +13,35 @@
 namespace geolloyd {
 namespace {
 
-void run_ground_truth(const RelaxArguments& arguments) {
-  check_arguments(arguments);
-  RunRecord run;
-  run.arguments = arguments;
-  run.arguments.ground_truth = true;
+struct GroundTruthArguments {
+  StartArguments start;
+  EngineArguments engine;
+  ThreadArguments threads;
+  std::filesystem::path output;
+};
+
+void run_ground_truth(const GroundTruthArguments& a) {
+  check_seeds(a.start.seeds);
   ProgressLine progress;
-  Scheduler scheduler = make_scheduler(arguments);
-  run.relaxation.seeds = prepare(run, scheduler, progress);
-  prepare_ground_truth_output(arguments);
-  const std::vector<NodeId>& seeds = run.relaxation.seeds;
-  run.threads = scheduler.threads();
+  Scheduler scheduler = make_scheduler(a.threads);
+  Purpose purpose;
+  purpose.has_ground_truth = true;
+  const Start start = prepare(a.start, purpose, scheduler, progress);
+  prepare_ground_truth_output(a.output, a.start);
   progress.stage("partitioning");
-  partition_seeds(run, scheduler);
-  find_ground_truth(run, scheduler, progress);
-  write_ground_truth(run);
+  JudgedPartition judged;
+  judged.threads = scheduler.threads();
+  judged.partition =
+      partition_seeds(start.mesh_graph.graph, start.seeds, a.engine.frontier, scheduler).partition;
+  progress.stage("finding the ground truth");
+  const Stopwatch watch;
+  judged.truth = make_ground_truth(scheduler, start.input.mesh(), start.mesh_graph,
+                                   judged.partition, start.seeds);
+  judged.seconds = watch.seconds();
+  write_ground_truth(a.output, a.start, start, judged);
   progress.clear();
-  print_heading(run, seeds.size());
-  fmt::print("{}", describe(*run.ground_truth));
+  print_heading(start.input, start.mesh_graph, start.seeds.size());
+  fmt::print("{}", describe(judged.truth));
 }
 
 }  // namespace
@@ -37,14 +49,15 @@ void run_ground_truth(const RelaxArguments& arguments) {
 void add_ground_truth_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "ground-truth", "Compare the regions of seeds with those by Euclidean distance");
-  const auto arguments = std::make_shared<RelaxArguments>();
-  add_mesh_argument(*command, *arguments);
+  const auto arguments = std::make_shared<GroundTruthArguments>();
+  add_mesh_argument(*command, arguments->start);
   folder_name(command->add_option("-o,--output", arguments->output,
                                   "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
                                   "ground-truth-regions.csv"));
-  add_seed_options(*command, *arguments);
-  add_graph_options(*command, *arguments);
-  add_thread_options(*command, *arguments);
+  add_seed_options(*command, arguments->start.seeds);
+  add_graph_options(*command, arguments->start.graph);
+  add_frontier_option(*command, arguments->engine);
+  add_thread_options(*command, arguments->threads);
   command->footer("Seeds are judged where they are; `relax --ground-truth` judges relaxed ones.");
   command->callback([arguments] { run_ground_truth(*arguments); });
 }

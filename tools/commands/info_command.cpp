@@ -6,7 +6,7 @@
 
 #include "core/mesh/mesh_check.h"
 #include "tools/commands/commands.h"
-#include "tools/run/stages.h"
+#include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"

@@ -20,8 +20,11 @@ namespace geolloyd {
 namespace {
 
 struct ProfileArguments {
-  RelaxArguments relax;
-  std::vector<std::string> engines = {"reference", "parallel"};
+  StartArguments start;
+  RelaxationArguments relaxation;
+  EngineArguments engine;  // its frontier
+  ThreadArguments threads;
+  std::vector<EngineKind> engines = {EngineKind::reference, EngineKind::parallel};
   ExperimentOutput output;
 };
 
@@ -78,10 +81,10 @@ std::string search_line(const EngineProfile& profile) {
   return line;
 }
 
-void print_profiles(const RunRecord& run, const std::vector<EngineProfile>& profiles) {
+void print_profiles(const Start& start, const std::vector<EngineProfile>& profiles) {
   const Relaxation& relaxation = profiles.front().run.relaxation;
   const StepCounts steps = count_steps(relaxation);
-  print_heading(run, relaxation.seeds.size());
+  print_heading(start.input, start.mesh_graph, relaxation.seeds.size());
   for (const EngineProfile& profile : profiles) fmt::print("{}\n", table_of(profile));
   for (const EngineProfile& profile : profiles) {
     if (!profile.run.relaxation.steps.empty()) fmt::print("{}\n", search_line(profile));
@@ -92,12 +95,11 @@ void print_profiles(const RunRecord& run, const std::vector<EngineProfile>& prof
              counted(steps.micro, "microstep", "microsteps"));
 }
 
-Json json_of(const EngineProfile& profile, const RelaxArguments& a) {
-  const bool parallel = profile.engine == EngineKind::parallel;
+Json json_of(const EngineProfile& profile, const ProfileArguments& a) {
   const Relaxation& relaxation = profile.run.relaxation;
   return {{"engine", name_of(engine_names, profile.engine)},
-          {"frontier", parallel ? Json(a.frontier) : Json(nullptr)},
-          {"backend", parallel ? Json(a.backend) : Json(nullptr)},
+          {"frontier", frontier_part(profile.engine, a.engine.frontier)},
+          {"backend", backend_part(profile.engine, a.threads.backend)},
           {"threads", profile.threads},
           {"seconds", profile.run.seconds},
           {"fingerprint", fingerprint_text(relaxation.fingerprint)},
@@ -106,16 +108,16 @@ Json json_of(const EngineProfile& profile, const RelaxArguments& a) {
           {"steps", step_rows(relaxation)}};
 }
 
-void write_profiles(const ProfileArguments& arguments, const RunRecord& run,
+void write_profiles(const ProfileArguments& arguments, const Start& start,
                     const std::vector<EngineProfile>& profiles) {
-  Json result = begin_result("profile", run);
-  result["options"] = options_part(run.arguments, profiles.front().run.relaxation.seeds.size());
+  Json result = begin_result("profile", start.input);
+  result["options"] = options_part(arguments.start, arguments.relaxation, start.seeds.size());
   result["interrupted"] = interrupted();
-  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
+  result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["profiles"] = Json::array();
   Json rows = Json::array();
   for (const EngineProfile& profile : profiles) {
-    result["profiles"].push_back(json_of(profile, run.arguments));
+    result["profiles"].push_back(json_of(profile, arguments));
     for (Json& step : result["profiles"].back()["steps"]) {
       rows.push_back({{"engine", name_of(engine_names, profile.engine)}});
       rows.back().update(step);
@@ -124,16 +126,15 @@ void write_profiles(const ProfileArguments& arguments, const RunRecord& run,
   save_result(arguments.output, "profile", rows, result);
 }
 
-std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const RunRecord& run,
-                                           const std::vector<NodeId>& seeds, Scheduler& scheduler,
-                                           ProgressLine& progress) {
+std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const Start& start,
+                                           Scheduler& scheduler, ProgressLine& progress) {
   std::vector<EngineProfile> profiles;
-  for (const std::string& name : arguments.engines) {
-    const EngineKind engine = value_of(engine_names, name);
-    progress.part(name + ":");
-    MeasuredRun measured = measure_run(
-        engine, value_of(frontier_names, run.arguments.frontier), scheduler, run.mesh_graph.graph,
-        seeds, relaxation_options(run.arguments), watcher(progress, seeds.size()));
+  for (const EngineKind engine : arguments.engines) {
+    progress.part(name_of(engine_names, engine) + ":");
+    MeasuredRun measured =
+        measure_run(engine, arguments.engine.frontier, scheduler, start.mesh_graph.graph,
+                    start.seeds, relaxation_options(arguments.start.seeds, arguments.relaxation),
+                    watcher(progress, start.seeds.size()));
     const std::size_t threads = engine == EngineKind::reference ? 1 : scheduler.threads();
     profiles.push_back({engine, threads, std::move(measured)});
     if (interrupted()) break;
@@ -143,18 +144,16 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
 
 void run_profile(ProfileArguments& arguments) {
   drop_repeats(arguments.engines);
-  check_arguments(arguments.relax);
-  RunRecord run;
-  run.arguments = arguments.relax;
+  check_seeds(arguments.start.seeds);
   ProgressLine progress;
-  Scheduler scheduler = make_scheduler(run.arguments);
-  const std::vector<NodeId> seeds = prepare(run, scheduler, progress);
+  Scheduler scheduler = make_scheduler(arguments.threads);
+  const Start start = prepare(arguments.start, {}, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(arguments.output, "profile", arguments.relax);
-  const auto profiles = profile_engines(arguments, run, seeds, scheduler, progress);
+  prepare_output(arguments.output, "profile", arguments.start);
+  const auto profiles = profile_engines(arguments, start, scheduler, progress);
   progress.clear();
-  write_profiles(arguments, run, profiles);
-  print_profiles(run, profiles);
+  write_profiles(arguments, start, profiles);
+  print_profiles(start, profiles);
   finish_experiment(arguments.output, "profile");
   if (interrupted()) throw InterruptedExit{};
   if (profiles.front().run.relaxation.fingerprint != profiles.back().run.relaxation.fingerprint) {
@@ -169,16 +168,14 @@ void add_profile_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "profile", "Show where the time goes, by phase and kernel, in both engines");
   const auto a = std::make_shared<ProfileArguments>();
-  add_mesh_argument(*command, a->relax);
+  add_mesh_argument(*command, a->start);
   add_output_options(*command, a->output, "profile");
-  one_of(command->add_option("--engines", a->engines, "Which, separated by commas"), engine_names)
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  add_seed_options(*command, a->relax);
-  add_graph_options(*command, a->relax);
-  add_relaxation_options(*command, a->relax);
-  add_thread_options(*command, a->relax);
+  add_choice_list(*command, "--engines", a->engines, engine_names, "Which, separated by commas");
+  add_seed_options(*command, a->start.seeds);
+  add_graph_options(*command, a->start.graph);
+  add_relaxation_options(*command, a->relaxation);
+  add_frontier_option(*command, a->engine);
+  add_thread_options(*command, a->threads);
   command->footer(
       "Kernels of the parallel engine run side by side: the time of a step is divided among them\n"
       "by their shares in the time of all threads.");

@@ -16,18 +16,18 @@ namespace geolloyd {
 namespace {
 
 struct QualityArguments {
-  RelaxArguments relax;  // mesh: the remesh
+  std::filesystem::path remesh;
   std::filesystem::path original;
+  std::filesystem::path output;
+  ThreadArguments threads;
   std::size_t samples = 500'000;
 };
 
-void run_quality(const QualityArguments& arguments) {
-  const RelaxArguments& a = arguments.relax;
-  if (!a.output.empty()) check_target(a.output, std::array{a.mesh, arguments.original});
-  Scheduler scheduler = make_scheduler(a);
+void run_quality(const QualityArguments& a) {
+  if (!a.output.empty()) check_target(a.output, std::array{a.remesh, a.original});
+  Scheduler scheduler = make_scheduler(a.threads);
   ProgressLine progress;
-  const QualityRecord record =
-      judge(a.mesh, arguments.original, arguments.samples, scheduler, progress);
+  const QualityRecord record = judge(a.remesh, a.original, a.samples, scheduler, progress);
   if (!a.output.empty()) write_text_file(a.output, quality_report(record));
   fmt::print("{}", quality_text(record));
 }
@@ -38,17 +38,15 @@ void add_quality_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "quality", "Judge a remesh, whoever made it: triangles, valences, distance to the original");
   const auto a = std::make_shared<QualityArguments>();
-  command->add_option("REMESH", a->relax.mesh, "PLY, OBJ, OFF or STL file")
-      ->type_name("")
-      ->required();
+  command->add_option("REMESH", a->remesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
   command->add_option("--original", a->original, "The mesh that it stands for")->type_name("MESH");
   whole_number(
       command->add_option("--samples", a->samples, "Points on each mesh to measure distances from"),
       1, 1'000'000'000)
       ->capture_default_str();
-  command->add_option("-o,--output", a->relax.output, "JSON file to write the figures into")
+  command->add_option("-o,--output", a->output, "JSON file to write the figures into")
       ->type_name("FILE");
-  add_scheduler_options(*command, a->relax);
+  add_thread_options(*command, a->threads);
   command->callback([a] { run_quality(*a); });
 }
 

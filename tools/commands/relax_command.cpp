@@ -10,12 +10,12 @@
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
-#include "tools/render/labels.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/relax_output.h"
+#include "tools/report/report.h"
 #include "tools/report/report_parts.h"
+#include "tools/run/result.h"
 #include "tools/run/resumable.h"
-#include "tools/run/run_record.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
@@ -24,13 +24,6 @@
 
 namespace geolloyd {
 namespace {
-
-void make_remesh(RunRecord& run, Scheduler& scheduler, Engine& engine) {
-  const Stopwatch watch;
-  run.remesh = make_remesh({run.input.mesh, run.mesh_graph, run.relaxation.seeds, engine},
-                           remesh_options(run.arguments), scheduler);
-  run.seconds.remesh = watch.seconds();
-}
 
 const char* describe(StopReason end) {
   switch (end) {
@@ -46,14 +39,14 @@ const char* describe(StopReason end) {
   return "";
 }
 
-void print_regions(const RunRecord& run) {
-  const RegionSpread areas = region_spread(run.regions);
+void print_regions(const Result& result) {
+  const RegionSpread areas = region_spread(result.regions);
   if (!(areas.largest > 0)) return;  // without area
   fmt::print(
       "  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}; isoperimetric ratio "
       "{:.3g}, smallest {:.3g}\n",
-      "regions", areas.smallest, areas.largest, areas.deviation, run.remesh.roundness.mean,
-      run.remesh.roundness.min);
+      "regions", areas.smallest, areas.largest, areas.deviation, result.remesh.roundness.mean,
+      result.remesh.roundness.min);
 }
 
 void print_remesh(const Remesh& remesh) {
@@ -74,68 +67,85 @@ void print_remesh(const Remesh& remesh) {
   }
 }
 
-void print_summary(const RunRecord& run) {
-  const Relaxation& result = run.relaxation;
-  const StepCounts steps = count_steps(result);
-  const Graph& graph = run.mesh_graph.graph;
-  const double hexagonal = hexagonal_energy(run);
-  const StageSeconds& s = run.seconds;
-  fmt::print("{}\n{}", run.arguments.mesh.string(), describe(run.input, run.facts));
-  fmt::print("  {:<12}{}: {}, {}, {}\n", "graph", run.arguments.graph,
+void print_start(const RelaxArguments& arguments, const Start& start) {
+  const Graph& graph = start.mesh_graph.graph;
+  const SeedArguments& seeds = arguments.start.seeds;
+  fmt::print("{}\n{}", start.input.file.string(), describe(start.input.loaded, start.input.facts));
+  fmt::print("  {:<12}{}: {}, {}, {}\n", "graph", name_of(graph_kind_names, start.mesh_graph.kind),
              counted(graph.node_count(), "node", "nodes"),
              counted(graph.arc_count(), "arc", "arcs"),
-             counted(run.components, "component", "components"));
-  fmt::print(
-      "  {:<12}{} from {}\n", "seeds", grouped(run.regions.size()),
-      run.arguments.seeds_file.empty() ? run.arguments.init : run.arguments.seeds_file.string());
-  if (run.resumed) {
+             counted(start.components, "component", "components"));
+  fmt::print("  {:<12}{} from {}\n", "seeds", grouped(start.seeds.size()),
+             seeds.file.empty() ? name_of(seed_init_names, seeds.init) : seeds.file.string());
+}
+
+void print_relaxation(const Result& result, double hexagonal) {
+  const Relaxation& relaxation = result.relaxation;
+  const StepCounts steps = count_steps(relaxation);
+  if (result.resumed) {
     fmt::print("  {:<12}after {}, {:.2f} s\n", "resumed",
-               counted(run.resumed->steps, "step", "steps"), run.resumed->seconds);
+               counted(result.resumed->steps, "step", "steps"), result.resumed->seconds);
   }
-  fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(result.stop_reason),
+  fmt::print("  {:<12}{} after {}, {} of {}\n", "relaxation", describe(relaxation.stop_reason),
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
-  fmt::print("  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial_energy(result), result.energy,
-             hexagonal > 0
-                 ? fmt::format(", {:.5g} of a regular hexagonal tiling", result.energy / hexagonal)
-                 : "");
-  if (run.ground_truth) fmt::print("{}", describe(*run.ground_truth));
-  print_regions(run);
-  print_remesh(run.remesh);
-  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.fingerprint));
+  fmt::print(
+      "  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial_energy(relaxation), relaxation.energy,
+      hexagonal > 0
+          ? fmt::format(", {:.5g} of a regular hexagonal tiling", relaxation.energy / hexagonal)
+          : "");
+}
+
+void print_cost(const Start::Seconds& start, const Result& result, const Cost& cost) {
   fmt::print("  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, ",
-             "time", s.total, s.load, s.graph, s.seeds, s.relax);
-  if (run.ground_truth) fmt::print("ground truth {:.2f}, ", s.ground_truth);
-  fmt::print("remesh {:.2f}, write {:.2f}; {:.0f} MB, {}\n", s.remesh, s.write,
-             static_cast<double>(run.peak_memory_bytes) * 1e-6,
-             counted(run.threads, "thread", "threads"));
+             "time", cost.total_seconds, start.load, start.graph, start.seeds, cost.relax_seconds);
+  if (result.ground_truth) fmt::print("ground truth {:.2f}, ", cost.ground_truth_seconds);
+  fmt::print("remesh {:.2f}, write {:.2f}; {:.0f} MB, {}\n", cost.remesh_seconds,
+             cost.write_seconds, static_cast<double>(cost.peak_memory_bytes) * 1e-6,
+             counted(result.threads, "thread", "threads"));
+}
+
+void print_files(const RelaxArguments& arguments, std::size_t frames) {
   fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv remesh.ply report.json\n",
-             "written", run.arguments.output.string());
-  if (!run.arguments.picture.empty()) {
-    fmt::print("  {:<12}{}\n", "", run.arguments.picture.string());
+             "written", arguments.output.string());
+  if (!arguments.picture_file.empty()) {
+    fmt::print("  {:<12}{}\n", "", arguments.picture_file.string());
   }
-  if (!run.arguments.frames.empty()) {
-    fmt::print("  {:<12}{}/: {}\n", "", run.arguments.frames.string(),
-               counted(result.steps.size(), "frame", "frames"));
+  if (!arguments.frames.empty()) {
+    fmt::print("  {:<12}{}/: {}\n", "", arguments.frames.string(),
+               counted(frames, "frame", "frames"));
   }
 }
 
+void print_summary(const RelaxArguments& arguments, const Start& start, const Result& result,
+                   const Cost& cost) {
+  print_start(arguments, start);
+  print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
+  if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
+  print_regions(result);
+  print_remesh(result.remesh);
+  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
+  print_cost(start.seconds, result, cost);
+  print_files(arguments, result.relaxation.steps.size());
+}
+
 // A region of fewer nodes has hardly a neighbourhood for its seed to move in.
-void warn_of_few_nodes(const RunRecord& run, std::size_t seeds, ProgressLine& progress) {
+void warn_of_few_nodes(const Start& start, ProgressLine& progress) {
   constexpr std::size_t enough = 10;
-  const std::size_t nodes = run.mesh_graph.graph.node_count();
+  const std::size_t nodes = start.mesh_graph.graph.node_count();
+  const std::size_t seeds = start.seeds.size();
   if (nodes >= enough * seeds) return;
   progress.clear();
   fmt::print(stderr,
              "{}: {} for {}: with fewer than {} a seed the remesh will be poor: subdivide the "
              "mesh, or use fewer seeds\n",
-             run.arguments.mesh.string(), counted(nodes, "node", "nodes"),
+             start.input.file.string(), counted(nodes, "node", "nodes"),
              counted(seeds, "seed", "seeds"), enough);
 }
 
 void check_relax(const RelaxArguments& arguments) {
-  check_arguments(arguments);
+  check_seeds(arguments.start.seeds);
   const std::filesystem::path checkpoint = checkpoint_path(arguments.output);
   std::error_code error;
   const bool is_there = std::filesystem::exists(checkpoint, error);
@@ -151,46 +161,78 @@ void check_relax(const RelaxArguments& arguments) {
   }
 }
 
+Purpose purpose_of(const RelaxArguments& arguments) {
+  Purpose purpose;
+  purpose.engine = arguments.engine.kind;
+  purpose.has_ground_truth =
+      arguments.ground_truth || arguments.remesh.vertices == RemeshVertices::centroids;
+  if (!arguments.picture_file.empty() || !arguments.frames.empty()) {
+    purpose.picture = arguments.picture;
+  }
+  return purpose;
+}
+
+// All that follows the relaxation.
+Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxation& ended,
+             Cost& cost, Scheduler& scheduler, ProgressLine& progress) {
+  Result result;
+  result.relaxation = std::move(ended.relaxation);
+  result.threads = ended.threads;
+  const Relaxation& relaxation = result.relaxation;
+  const Mesh& mesh = start.input.mesh();
+  if (arguments.ground_truth) {
+    progress.stage("finding the ground truth");
+    const Stopwatch watch;
+    result.ground_truth = make_ground_truth(scheduler, mesh, start.mesh_graph, relaxation.partition,
+                                            relaxation.seeds);
+    cost.ground_truth_seconds = watch.seconds();
+  }
+  progress.stage("making the remesh");
+  const Stopwatch watch;
+  result.remesh = make_remesh({mesh, start.mesh_graph, relaxation.seeds, *ended.engine},
+                              {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
+  cost.remesh_seconds = watch.seconds();
+  return result;
+}
+
 void run_relax(const RelaxArguments& arguments) {
   check_relax(arguments);
   const Stopwatch total;
-  RunRecord run;
-  run.arguments = arguments;
   ProgressLine progress;
-  Scheduler scheduler = make_scheduler(arguments);
-  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
-  warn_of_few_nodes(run, seeds.size(), progress);
-  ResumableRelaxation relaxation(run, std::move(seeds));
+  Scheduler scheduler = make_scheduler(arguments.threads);
+  const Start start = prepare(arguments.start, purpose_of(arguments), scheduler, progress);
+  warn_of_few_nodes(start, progress);
+  ResumableRelaxation relaxation(arguments, start);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
-  const auto engine = relaxation.relax(scheduler, progress);
-  if (arguments.ground_truth) find_ground_truth(run, scheduler, progress);
-  progress.stage("making the remesh");
-  make_remesh(run, scheduler, *engine);
+  EndedRelaxation ended = relaxation.relax(scheduler, progress);
+  Cost cost;
+  cost.relax_seconds = ended.seconds;
+  Result result = judge(arguments, start, ended, cost, scheduler, progress);
+  result.resumed = relaxation.resumed();
 
-  run.interrupted = interrupted();  // from here on one changes nothing
-  const bool is_resumable = run.interrupted && relaxation.save(progress);
+  result.interrupted = interrupted();  // from here on one changes nothing
+  const bool is_resumable = result.interrupted && relaxation.save(progress);
 
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
-  run.regions = summarise_regions(run.mesh_graph.graph, run.relaxation.partition,
-                                  run.relaxation.seeds, run.relaxation.region_score);
-  run.labels = label_input_ids(run.mesh_graph, run.relaxation.partition, run.regions.size());
-  FileGroup files = open_results(arguments);
-  write_results(run, files, scheduler);
-  run.seconds.write = writing.seconds();
-  run.seconds.total = total.seconds();
-  run.peak_memory_bytes = peak_memory_bytes();
-  write_report(run, files);
-  if (!run.interrupted) relaxation.forget();
-  if (!arguments.picture.empty()) {  // whatever happens to it, the results are there
-    progress.stage("drawing " + arguments.picture.string());
-    write_picture(run, scheduler);
+  result.regions = summarise_regions(start.mesh_graph.graph, result.relaxation.partition,
+                                     result.relaxation.seeds, result.relaxation.region_score);
+  FileGroup files = open_results(arguments.output);
+  write_results(start, result, files, scheduler);
+  cost.write_seconds = writing.seconds();
+  cost.total_seconds = total.seconds();
+  cost.peak_memory_bytes = peak_memory_bytes();
+  write_report(report_text(arguments, start, result, cost), files);
+  if (!result.interrupted) relaxation.forget();
+  if (!arguments.picture_file.empty()) {  // whatever happens to it, the results are there
+    progress.stage("drawing " + arguments.picture_file.string());
+    write_picture(arguments.picture_file, arguments.picture, start, result.relaxation, scheduler);
   }
   progress.clear();
-  print_summary(run);
+  print_summary(arguments, start, result, cost);
   if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
-  if (run.interrupted) throw InterruptedExit{};
+  if (result.interrupted) throw InterruptedExit{};
 }
 
 }  // namespace
@@ -199,13 +241,13 @@ void add_relax_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "relax", "Tessellate a mesh: move seeds to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
-  add_mesh_argument(*command, *arguments);
+  add_mesh_argument(*command, arguments->start);
   folder_name(
       command->add_option("-o,--output", arguments->output,
                           "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
                           "report.json"))
       ->required();
-  command->add_option("--picture", arguments->picture, "PNG file to draw the result into")
+  command->add_option("--picture", arguments->picture_file, "PNG file to draw the result into")
       ->type_name("FILE");
   folder_name(command->add_option("--frames", arguments->frames,
                                   "Folder for a picture of the start of each step, NNN-PHASE.png"));
@@ -218,13 +260,14 @@ void add_relax_command(CLI::App& program) {
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,
                     "Go on from the checkpoint in the folder, with the options of before");
-  add_seed_options(*command, *arguments);
-  add_graph_options(*command, *arguments);
-  add_relaxation_options(*command, *arguments);
-  add_remesh_options(*command, *arguments);
-  add_engine_option(*command, *arguments);
-  add_thread_options(*command, *arguments);
-  add_picture_options(*command, *arguments);
+  add_seed_options(*command, arguments->start.seeds);
+  add_graph_options(*command, arguments->start.graph);
+  add_relaxation_options(*command, arguments->relaxation);
+  add_remesh_options(*command, arguments->remesh);
+  add_engine_option(*command, arguments->engine);
+  add_frontier_option(*command, arguments->engine);
+  add_thread_options(*command, arguments->threads);
+  add_picture_options(*command, arguments->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far. To go on from there, also\n"
       "after a crash: the same command and --resume");

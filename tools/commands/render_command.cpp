@@ -21,7 +21,11 @@ namespace geolloyd {
 namespace {
 
 struct RenderArguments {
-  RelaxArguments relax;
+  StartArguments start;
+  ThreadArguments threads;
+  EngineArguments engine;  // its frontier
+  RemeshArguments remesh;
+  PictureArguments picture;
   std::filesystem::path output;
   std::vector<std::string> panels;
 };
@@ -34,34 +38,23 @@ bool have_captions(const std::vector<Panel>& panels) {
 class Renderer {
  public:
   Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels)
-      : output_(arguments.output), panels_(panels), scheduler_(make_scheduler(arguments.relax)) {
-    run_.arguments = arguments.relax;
-    run_.arguments.picture = arguments.output;
-    run_.arguments.ground_truth =
-        any([](PanelKind kind) { return kind == PanelKind::ground_truth; });
-  }
+      : arguments_(arguments), panels_(panels), scheduler_(make_scheduler(arguments.threads)) {}
 
   void render() {
+    const PictureArguments& look = arguments_.picture;
     if (any(needs_partition)) {
       find_partition();
     } else {
-      progress_.stage("reading " + run_.arguments.mesh.string());
-      load_mesh(run_, scheduler_);
-      const Mesh& mesh = run_.input.mesh;
-      announce_memory(run_.arguments.mesh.string(),
-                      memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                     count_samples(mesh, parse_view(run_.arguments.view),
-                                                   parse_size(run_.arguments.size), scheduler_)));
+      read_mesh_alone();
     }
-    progress_.stage("drawing " + output_.string());
-    const Picture picture(run_.input.mesh, parse_view(run_.arguments.view),
-                          parse_size(run_.arguments.size), panels_.size(), have_captions(panels_),
-                          scheduler_);
+    progress_.stage("drawing " + arguments_.output.string());
+    const Picture picture(start_.input.mesh(), look.view, look.size, panels_.size(),
+                          have_captions(panels_), scheduler_);
     std::vector<PanelImage> images;
     for (const Panel& panel : panels_) {
       images.push_back({draw(panel.kind, picture.scene()), caption_of(panel, panels_.size())});
     }
-    picture.write(output_, images);
+    picture.write(arguments_.output, images);
   }
 
  private:
@@ -71,26 +64,40 @@ class Renderer {
                        [&](const Panel& panel) { return predicate(panel.kind); });
   }
 
+  void read_mesh_alone() {
+    progress_.stage("reading " + arguments_.start.mesh.string());
+    start_.input = load_input(arguments_.start.mesh, scheduler_).input;
+    const Mesh& mesh = start_.input.mesh();
+    const PictureArguments& look = arguments_.picture;
+    announce_memory(arguments_.start.mesh.string(),
+                    memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
+                                   count_samples(mesh, look.view, look.size, scheduler_)));
+  }
+
   void find_partition() {
-    run_.relaxation.seeds = prepare(run_, scheduler_, progress_);
-    engine_ = partition_seeds(run_, scheduler_);
-    colours_ = colours_of_regions(run_.mesh_graph.graph, run_.relaxation.partition,
-                                  run_.relaxation.seeds.size());
+    Purpose purpose;
+    purpose.picture = arguments_.picture;
+    purpose.has_ground_truth =
+        any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
+        arguments_.remesh.vertices == RemeshVertices::centroids;
+    start_ = prepare(arguments_.start, purpose, scheduler_, progress_);
+    const Graph& graph = start_.mesh_graph.graph;
+    found_ = partition_seeds(graph, start_.seeds, arguments_.engine.frontier, scheduler_);
+    colours_ = colours_of_regions(graph, found_.partition, start_.seeds.size());
   }
 
   Pixels draw(PanelKind kind, const Scene& scene) {
     if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
-    engine_->partition(run_.relaxation.seeds);
+    found_.engine->partition(start_.seeds);
     const Remesh remesh =
-        make_remesh({run_.input.mesh, run_.mesh_graph, run_.relaxation.seeds, *engine_},
-                    remesh_options(run_.arguments), scheduler_);
+        make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, *found_.engine},
+                    {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
     const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
     return to_pixels(other, paint_mesh(other, scheduler_), scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {
-    const PartitionView view{run_.mesh_graph, run_.relaxation.partition, run_.relaxation.seeds,
-                             colours_};
+    const PartitionView view{start_.mesh_graph, found_.partition, start_.seeds, colours_};
     switch (kind) {
       case PanelKind::surface:
         return paint_surface(scene, scheduler_);
@@ -101,27 +108,26 @@ class Renderer {
       case PanelKind::trees:
         return paint_trees(view, scene, scheduler_);
       case PanelKind::ground_truth: {
-        const GroundTruth truth =
-            make_ground_truth(scheduler_, run_.input.mesh, run_.mesh_graph,
-                              run_.relaxation.partition, run_.relaxation.seeds);
+        const GroundTruth truth = make_ground_truth(
+            scheduler_, start_.input.mesh(), start_.mesh_graph, found_.partition, start_.seeds);
         return paint_ground_truth(view, truth.region, truth.surface_centroid, scene, scheduler_);
       }
       case PanelKind::field:
         return paint_field(
-            read_tangent_field(run_.arguments.vfield, run_.input.mesh.vertex_count()), scene,
-            scheduler_);
+            read_tangent_field(arguments_.start.graph.vfield, start_.input.mesh().vertex_count()),
+            scene, scheduler_);
       case PanelKind::remesh:
         break;  // has a scene of its own
     }
     return {};
   }
 
-  const std::filesystem::path& output_;
+  const RenderArguments& arguments_;
   const std::vector<Panel>& panels_;
   Scheduler scheduler_;
   ProgressLine progress_;
-  RunRecord run_;
-  std::unique_ptr<Engine> engine_;
+  Start start_;  // the input alone where no panel needs more
+  EnginePartition found_;
   std::vector<Colour> colours_;
 };
 
@@ -129,24 +135,21 @@ class Renderer {
 std::vector<Panel> check(const RenderArguments& a) {
   std::vector<Panel> panels;
   for (const std::string& text : a.panels) panels.push_back(parse_panel(text));
-  const bool has_seeds = a.relax.seeds > 0 || !a.relax.seeds_file.empty();
+  const bool has_seeds = a.start.seeds.count > 0 || !a.start.seeds.file.empty();
   if (panels.empty()) {
     panels.push_back({has_seeds ? PanelKind::regions : PanelKind::surface, std::nullopt});
   }
   for (const Panel& panel : panels) {
-    if (panel.kind == PanelKind::field && a.relax.vfield.empty()) {
+    if (panel.kind == PanelKind::field && a.start.graph.vfield.empty()) {
       throw InvalidInput("--panel field: which field? Give --vfield FILE");
     }
-    if (needs_partition(panel.kind)) check_arguments(a.relax);
+    if (needs_partition(panel.kind)) check_seeds(a.start.seeds);
     if (panel.caption && !Sheet::can_show(*panel.caption)) {
       throw InvalidInput("--panel: the caption '" + *panel.caption + "' is not in UTF-8");
     }
   }
-  parse_view(a.relax.view);
-  arrange(panels.size(), have_captions(panels), parse_size(a.relax.size), 1);
-  const std::vector<std::filesystem::path> others = {a.relax.mesh, a.relax.vfield,
-                                                     a.relax.seeds_file};
-  check_target(a.output, others);
+  arrange(panels.size(), have_captions(panels), a.picture.size, 1);
+  check_target(a.output, a.start.files());
   return panels;
 }
 
@@ -156,7 +159,7 @@ void add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "render", "Draw a mesh, the regions of seeds, and what they are made of, as they are");
   const auto a = std::make_shared<RenderArguments>();
-  add_mesh_argument(*command, a->relax);
+  add_mesh_argument(*command, a->start);
   command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
   command
       ->add_option("--panel", a->panels,
@@ -165,11 +168,12 @@ void add_render_command(CLI::App& program) {
                    "below one")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  add_picture_options(*command, a->relax);
-  add_seed_options(*command, a->relax);
-  add_graph_options(*command, a->relax);
-  add_remesh_options(*command, a->relax);
-  add_thread_options(*command, a->relax);
+  add_picture_options(*command, a->picture);
+  add_seed_options(*command, a->start.seeds);
+  add_graph_options(*command, a->start.graph);
+  add_remesh_options(*command, a->remesh);
+  add_frontier_option(*command, a->engine);
+  add_thread_options(*command, a->threads);
   command->footer(
       "surface, mesh and field need no seeds. The ground is white where there are captions,\n"
       "transparent otherwise.");

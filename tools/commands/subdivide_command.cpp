@@ -10,7 +10,7 @@
 #include "tools/cli/choice_option.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
-#include "tools/run/stages.h"
+#include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
@@ -29,22 +29,20 @@ const std::vector<Named<Scheme>> scheme_names = {
     {"barycentric", {subdivide_barycentric, 6}},
 };
 
-struct Arguments {
+struct SubdivideArguments {
   std::filesystem::path mesh;
   std::filesystem::path output;
-  std::vector<std::string> schemes;
+  std::vector<Scheme> schemes;
 };
 
 // The last of the schemes makes the largest mesh.
-void check_memory(const std::string& what, const Mesh& mesh,
-                  const std::vector<std::string>& schemes) {
+void check_memory(const std::string& what, const Mesh& mesh, const std::vector<Scheme>& schemes) {
   std::uint64_t triangles = mesh.triangle_count();
   std::uint64_t bytes = 0;
-  for (const std::string& name : schemes) {
-    const std::uint64_t pieces = value_of(scheme_names, name).pieces;
-    bytes = memory_to_subdivide(triangles, pieces);
+  for (const Scheme& scheme : schemes) {
+    bytes = memory_to_subdivide(triangles, scheme.pieces);
     require_memory(what, bytes);
-    triangles *= pieces;
+    triangles *= scheme.pieces;
   }
   announce_memory(what, bytes);
 }
@@ -53,18 +51,14 @@ void check_memory(const std::string& what, const Mesh& mesh,
 
 void add_subdivide_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("subdivide", "Make a mesh finer, keeping its surface");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SubdivideArguments>();
   command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
       ->type_name("")
       ->required();
-  one_of(command
-             ->add_option("-s,--scheme", arguments->schemes,
-                          "midpoint makes 4 triangles of each, barycentric 6; several, separated\n"
-                          "by commas, are done in turn")
-             ->delimiter(',')
-             ->allow_extra_args(false)
-             ->required(),
-         scheme_names);
+  add_choice_list(*command, "-s,--scheme", arguments->schemes, scheme_names,
+                  "midpoint makes 4 triangles of each, barycentric 6; several, separated\n"
+                  "by commas, are done in turn")
+      ->required();
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
       ->type_name("FILE")
       ->required();
@@ -72,8 +66,8 @@ void add_subdivide_command(CLI::App& program) {
     check_mesh_target(arguments->output, arguments->mesh);
     Mesh mesh = read_within_limits(arguments->mesh).mesh;
     check_memory(arguments->output.string(), mesh, arguments->schemes);
-    for (const std::string& name : arguments->schemes) {
-      mesh = value_of(scheme_names, name).subdivide(mesh);
+    for (const Scheme& scheme : arguments->schemes) {
+      mesh = scheme.subdivide(mesh);
     }
     write_mesh(arguments->output, mesh);
     fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),

@@ -17,20 +17,29 @@
 namespace geolloyd {
 namespace {
 
-void print_agreement(const RunRecord& run, const PairedEngine& pair) {
-  const StepCounts steps = count_steps(run.relaxation);
-  const Graph& graph = run.mesh_graph.graph;
-  fmt::print("{}: {} graph, {}, {}\n", run.arguments.mesh.string(), run.arguments.graph,
-             counted(graph.node_count(), "node", "nodes"),
-             counted(run.relaxation.seeds.size(), "seed", "seeds"));
+struct VerifyArguments {
+  StartArguments start;
+  RelaxationArguments relaxation;
+  EngineArguments engine;
+  ThreadArguments threads;
+};
+
+void print_agreement(const Start& start, const Relaxation& relaxation, const PairedEngine& pair,
+                     const Scheduler& scheduler) {
+  const StepCounts steps = count_steps(relaxation);
+  fmt::print("{}: {} graph, {}, {}\n", start.input.file.string(),
+             name_of(graph_kind_names, start.mesh_graph.kind),
+             counted(start.mesh_graph.graph.node_count(), "node", "nodes"),
+             counted(relaxation.seeds.size(), "seed", "seeds"));
   fmt::print("  {:<12}in every node of {}, {} of {}\n", "identical",
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
-  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(run.relaxation.fingerprint));
+  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(relaxation.fingerprint));
   fmt::print("  {:<12}reference {:.3f} s, parallel {:.3f} s with {} of {}: {:.1f} times as fast\n",
              "time", pair.expected_seconds(), pair.tested_seconds(),
-             counted(run.threads, "thread", "threads"), run.arguments.backend,
+             counted(scheduler.threads(), "thread", "threads"),
+             name_of(backend_names, scheduler.backend()),
              pair.expected_seconds() / pair.tested_seconds());
 }
 
@@ -44,33 +53,29 @@ std::string describe(const Disagreement& difference, const MeshGraph& mesh_graph
   return text;
 }
 
-void run_verify(const RelaxArguments& arguments) {
-  check_arguments(arguments);
-  RunRecord run;
-  run.arguments = arguments;
+void run_verify(const VerifyArguments& a) {
+  check_seeds(a.start.seeds);
   ProgressLine progress;
-  Scheduler scheduler = make_scheduler(arguments);
-  std::vector<NodeId> seeds = prepare(run, scheduler, progress);
+  Scheduler scheduler = make_scheduler(a.threads);
+  const Start start = prepare(a.start, {}, scheduler, progress);
   catch_interrupts();
-  const Graph& graph = run.mesh_graph.graph;
-  run.threads = scheduler.threads();
+  const Graph& graph = start.mesh_graph.graph;
   const auto reference = make_reference_engine(graph);
-  const auto parallel =
-      make_parallel_engine(scheduler, graph, value_of(frontier_names, arguments.frontier));
+  const auto parallel = make_parallel_engine(scheduler, graph, a.engine.frontier);
   PairedEngine pair(*reference, *parallel);
-  const std::size_t count = seeds.size();
+  Relaxation relaxation;
   try {
-    run.relaxation =
-        relax(graph, pair, std::move(seeds), relaxation_options(arguments), [&](const Progress& p) {
-          progress.show(p, count);
-          return !interrupted();
-        });
+    relaxation = relax(graph, pair, start.seeds, relaxation_options(a.start.seeds, a.relaxation),
+                       [&](const Progress& p) {
+                         progress.show(p, start.seeds.size());
+                         return !interrupted();
+                       });
   } catch (const Disagreement& difference) {
-    throw std::runtime_error(describe(difference, run.mesh_graph));
+    throw std::runtime_error(describe(difference, start.mesh_graph));
   }
   progress.clear();
-  print_agreement(run, pair);
-  if (run.relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
+  print_agreement(start, relaxation, pair, scheduler);
+  if (relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
 }
 
 }  // namespace
@@ -78,12 +83,13 @@ void run_verify(const RelaxArguments& arguments) {
 void add_verify_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "verify", "Relax with both engines side by side and compare everything, node by node");
-  const auto arguments = std::make_shared<RelaxArguments>();
-  add_mesh_argument(*command, *arguments);
-  add_seed_options(*command, *arguments);
-  add_graph_options(*command, *arguments);
-  add_relaxation_options(*command, *arguments);
-  add_thread_options(*command, *arguments);
+  const auto arguments = std::make_shared<VerifyArguments>();
+  add_mesh_argument(*command, arguments->start);
+  add_seed_options(*command, arguments->start.seeds);
+  add_graph_options(*command, arguments->start.graph);
+  add_relaxation_options(*command, arguments->relaxation);
+  add_frontier_option(*command, arguments->engine);
+  add_thread_options(*command, arguments->threads);
   command->footer(
       "Exit status 1 where they differ: the first step, node and value is named. The time of\n"
       "the two is that of the relaxation alone.");

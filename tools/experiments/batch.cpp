@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/errors.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {
@@ -42,9 +43,9 @@ void BatchRow::add(const Relaxation& relaxation, double elapsed) {
 
 Json row_json(const BatchRow& row) {
   const Configuration& c = row.configuration;
-  return {{"graph", c.graph},
+  return {{"graph", name_of(graph_kind_names, c.graph)},
           {"seeds", c.seeds},
-          {"greedy", c.greedy},
+          {"greedy", name_of(greedy_mode_names, c.greedy)},
           {"macrostep_skip", c.macrostep_skip},
           {"microstep_skip", c.microstep_skip},
           {"batches", row.batches},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "tools/evaluation/spread.h"
 #include "tools/report/report_parts.h"
@@ -13,9 +14,9 @@ namespace geolloyd {
 
 /// What is varied in the thesis's experiment (section 6.3), but for the first seeds.
 struct Configuration {
-  std::string graph;
+  GraphKind graph = GraphKind::vertex;
   std::size_t seeds = 0;
-  std::string greedy;
+  GreedyMode greedy = GreedyMode::extended;
   bool macrostep_skip = true;
   bool microstep_skip = true;
 };

@@ -79,11 +79,10 @@ Json rows_of(const Comparison& comparison) {
   const auto visits = static_cast<double>(comparison.steps.node_visits);
   Json rows = Json::array();
   for (const Contender& c : comparison.contenders) {
-    const bool parallel = is_parallel(c);
     rows.push_back(
         {{"engine", name_of(engine_names, c.engine)},
-         {"frontier", parallel ? Json(name_of(frontier_names, c.frontier)) : Json(nullptr)},
-         {"backend", parallel ? Json(name_of(backend_names, c.backend)) : Json(nullptr)},
+         {"frontier", frontier_part(c.engine, c.frontier)},
+         {"backend", backend_part(c.engine, c.backend)},
          {"threads", c.threads},
          {"turns", c.seconds.size()},
          {"seconds",

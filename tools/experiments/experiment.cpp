@@ -17,13 +17,12 @@
 namespace geolloyd {
 
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const RelaxArguments& arguments) {
+                    const StartArguments& arguments) {
   if (output.folder.empty()) return;
   const std::string json = name + ".json";
   const std::string csv = name + ".csv";
   const std::array names = {json.c_str(), csv.c_str()};
-  const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
-  prepare_folder(output.folder, names, others);
+  prepare_folder(output.folder, names, arguments.files());
 }
 
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
@@ -58,9 +57,10 @@ std::string duration_text(double seconds) {
   return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
-void print_heading(const RunRecord& run, std::size_t seeds) {
-  const Graph& graph = run.mesh_graph.graph;
-  fmt::print("{}: {} graph, {}, {}, {}\n", run.arguments.mesh.string(), run.arguments.graph,
+void print_heading(const Input& input, const MeshGraph& mesh_graph, std::size_t seeds) {
+  const Graph& graph = mesh_graph.graph;
+  fmt::print("{}: {} graph, {}, {}, {}\n", input.file.string(),
+             name_of(graph_kind_names, mesh_graph.kind),
              counted(graph.node_count(), "node", "nodes"),
              counted(graph.arc_count(), "arc", "arcs"), counted(seeds, "seed", "seeds"));
   print_machine();

@@ -8,7 +8,7 @@
 
 #include "tools/cli/experiment_output.h"
 #include "tools/report/report_parts.h"
-#include "tools/run/run_record.h"
+#include "tools/run/stages.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
@@ -17,7 +17,7 @@ namespace geolloyd {
 
 /// Makes sure that the files can be written and would replace no input.
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const RelaxArguments& arguments);
+                    const StartArguments& arguments);
 
 /// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
@@ -43,7 +43,7 @@ ProgressCallback watcher(ProgressLine& progress, std::size_t seeds);
 std::string duration_text(double seconds);
 
 /// A line that names mesh and graph, and the next.
-void print_heading(const RunRecord& run, std::size_t seeds);
+void print_heading(const Input& input, const MeshGraph& mesh_graph, std::size_t seeds);
 
 /// A line that names the machine.
 void print_machine();

@@ -21,44 +21,41 @@ Json spread_part(const Spread& spread) {
   return {{"mean", spread.mean()}, {"max", spread.max()}};
 }
 
-void write_regions(const RunRecord& run, FileWriter& out) {
+void write_regions(const MeshGraph& mesh_graph, const JudgedPartition& judged, FileWriter& out) {
   out.text("input_id,kind,region,ground_truth\n");
-  const std::vector<NodeId>& node_of = run.mesh_graph.node_of;
+  const std::vector<NodeId>& node_of = mesh_graph.node_of;
   for (std::uint32_t id = 0; id < node_of.size(); ++id) {
-    const std::string_view kind = kind_of(run.mesh_graph, id);
+    const std::string_view kind = kind_of(mesh_graph, id);
     const NodeId v = node_of[id];
-    if (v == no_id || run.ground_truth->region[v] == no_id) {
+    if (v == no_id || judged.truth.region[v] == no_id) {
       write_row(out, id, kind, "-1", "-1");
     } else {
-      write_row(out, id, kind, region_of(run.relaxation.partition.key[v]),
-                run.ground_truth->region[v]);
+      write_row(out, id, kind, region_of(judged.partition.key[v]), judged.truth.region[v]);
     }
   }
 }
 
-void write_seeds(const RunRecord& run, FileWriter& out) {
+void write_seeds(const Start& start, const GroundTruth& truth, FileWriter& out) {
   out.text(
       "input_id,kind,x,y,z,area,centroid_x,centroid_y,centroid_z,surface_x,surface_y,surface_z,"
       "distance\n");
-  const GroundTruth& truth = *run.ground_truth;
   for (std::size_t r = 0; r < truth.centroid.size(); ++r) {
-    const NodeId seed = run.relaxation.seeds[r];
-    const std::uint32_t id = run.mesh_graph.input_id[seed];
-    const Vec3& p = run.mesh_graph.position[seed];
+    const std::uint32_t id = start.mesh_graph.input_id[start.seeds[r]];
+    const Vec3& p = start.mesh_graph.position[start.seeds[r]];
     const Vec3& c = truth.centroid[r];
     const Vec3& s = truth.surface_centroid[r];
-    write_row(out, id, kind_of(run.mesh_graph, id), p.x(), p.y(), p.z(), truth.area[r], c.x(),
+    write_row(out, id, kind_of(start.mesh_graph, id), p.x(), p.y(), p.z(), truth.area[r], c.x(),
               c.y(), c.z(), s.x(), s.y(), s.z(), truth.seed_distance[r]);
   }
 }
 
-Json result_of(const RunRecord& run) {
-  Json result = begin_result("ground-truth", run);
-  result["options"] = options_part(run.arguments, run.relaxation.seeds.size());
-  result["graph"] = graph_part(run.mesh_graph.graph, run.components);
-  result["ground_truth"] = ground_truth_part(*run.ground_truth);
-  result["threads"] = run.threads;
-  result["seconds"] = run.seconds.ground_truth;
+Json result_of(const StartArguments& arguments, const Start& start, const JudgedPartition& judged) {
+  Json result = begin_result("ground-truth", start.input);
+  result["options"] = options_part(arguments, {}, start.seeds.size());
+  result["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  result["ground_truth"] = ground_truth_part(judged.truth);
+  result["threads"] = judged.threads;
+  result["seconds"] = judged.seconds;
   return result;
 }
 
@@ -95,18 +92,18 @@ Json ground_truth_part(const GroundTruth& truth) {
           {"graph_energy_ratio_hexagonal", truth.graph_energy / truth.hexagonal}};
 }
 
-void prepare_ground_truth_output(const RelaxArguments& arguments) {
-  if (arguments.output.empty()) return;
-  const std::array others = {arguments.mesh, arguments.vfield, arguments.seeds_file};
-  prepare_folder(arguments.output, ground_truth_names, others);
+void prepare_ground_truth_output(const std::filesystem::path& folder,
+                                 const StartArguments& arguments) {
+  if (!folder.empty()) prepare_folder(folder, ground_truth_names, arguments.files());
 }
 
-void write_ground_truth(const RunRecord& run) {
-  if (run.arguments.output.empty()) return;
-  FileGroup files(run.arguments.output, ground_truth_names);
-  write_regions(run, files[0]);
-  write_seeds(run, files[1]);
-  files[2].text(json_text(result_of(run)));
+void write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
+                        const Start& start, const JudgedPartition& judged) {
+  if (folder.empty()) return;
+  FileGroup files(folder, ground_truth_names);
+  write_regions(start.mesh_graph, judged, files[0]);
+  write_seeds(start, judged.truth, files[1]);
+  files[2].text(json_text(result_of(arguments, start, judged)));
   files.commit();
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
+#include "tools/evaluation/ground_truth.h"
 #include "tools/report/report_parts.h"
-#include "tools/run/run_record.h"
+#include "tools/run/stages.h"
 
 namespace geolloyd {
 
-// What is told of a run's ground truth, which there must be.
+// What is told of a ground truth.
 
 /// A few lines for people.
 std::string describe(const GroundTruth& truth);
@@ -15,12 +17,22 @@ std::string describe(const GroundTruth& truth);
 /// The README lists the keys.
 Json ground_truth_part(const GroundTruth& truth);
 
-/// Makes the folder of the command `ground-truth` and makes sure that the results can be written
-/// and would replace no input. Throws Error.
-void prepare_ground_truth_output(const RelaxArguments& arguments);
+/// The partition of the seeds with which a run begins, and what it is judged by.
+struct JudgedPartition {
+  Partition partition;
+  GroundTruth truth;
+  std::size_t threads = 0;
+  double seconds = 0;  ///< to find the ground truth
+};
+
+/// Makes the folder of the command `ground-truth`, if it is named, and makes sure that the results
+/// can be written and would replace no input. Throws Error.
+void prepare_ground_truth_output(const std::filesystem::path& folder,
+                                 const StartArguments& arguments);
 
 /// ground-truth-regions.csv: a line per input id. ground-truth-seeds.csv: a line per region.
-/// ground-truth.json, the last to appear.
-void write_ground_truth(const RunRecord& run);
+/// ground-truth.json, the last to appear. Nothing where no folder is named.
+void write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
+                        const Start& start, const JudgedPartition& judged);
 
 }  // namespace geolloyd

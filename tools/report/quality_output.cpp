@@ -15,7 +15,7 @@ namespace {
 
 // Of the original's bounding-box diagonal.
 double percent(const Likeness& likeness, double distance) {
-  return 100 * distance / likeness.original.facts.bounding_diagonal;
+  return 100 * distance / likeness.original.input.facts.bounding_diagonal;
 }
 
 std::int64_t difference(std::size_t a, std::size_t b) {
@@ -54,13 +54,14 @@ std::string distance_table(const Likeness& likeness) {
   return table.text();
 }
 
-std::string describe_file(const MeshFile& mesh) {
-  return fmt::format("{}\n{}  {:<12}{}\n", mesh.file.string(), describe(mesh.input, mesh.facts),
-                     "topology", describe(mesh.topology));
+std::string describe_file(const JudgedMesh& mesh) {
+  return fmt::format("{}\n{}  {:<12}{}\n", mesh.input.file.string(),
+                     describe(mesh.input.loaded, mesh.input.facts), "topology",
+                     describe(mesh.topology));
 }
 
-std::string describe(const Likeness& likeness, const MeshFile& remesh) {
-  const MeshFile& original = likeness.original;
+std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
+  const JudgedMesh& original = likeness.original;
   return fmt::format(
       "\n{}"
       "  {:<12}Euler characteristic {:+}, components {:+}, boundary loops {:+} in the remesh\n"
@@ -68,8 +69,8 @@ std::string describe(const Likeness& likeness, const MeshFile& remesh) {
       "\n{}"
       "  {} samples on each and all vertices; %: of the original's bounding-box diagonal\n",
       describe_file(original), "difference",
-      remesh.facts.euler_characteristic - original.facts.euler_characteristic,
-      difference(remesh.facts.components, original.facts.components),
+      remesh.input.facts.euler_characteristic - original.input.facts.euler_characteristic,
+      difference(remesh.input.facts.components, original.input.facts.components),
       difference(remesh.topology.total().boundary_loops, original.topology.total().boundary_loops),
       "energy", likeness.energy / likeness.hexagonal, distance_table(likeness),
       grouped(likeness.samples));
@@ -103,22 +104,22 @@ Json likeness_part(const Likeness& likeness) {
 }  // namespace
 
 std::string quality_text(const QualityRecord& record) {
-  const MeshFile& remesh = record.remesh;
+  const JudgedMesh& remesh = record.remesh;
   std::string text = describe_file(remesh) + describe(record.quality);
   if (record.likeness) text += describe(*record.likeness, remesh);
   return text;
 }
 
 std::string quality_report(const QualityRecord& record) {
-  const MeshFile& remesh = record.remesh;
+  const JudgedMesh& remesh = record.remesh;
   Json report;
   report["program"] = program_name();
-  report["remesh"] = mesh_part(remesh.file, remesh.input, remesh.facts);
+  report["remesh"] = mesh_part(remesh.input);
   report["topology"] = topology_part(remesh.topology);
   report["quality"] = quality_part(record.quality);
   if (record.likeness) {
-    const MeshFile& original = record.likeness->original;
-    report["original"] = mesh_part(original.file, original.input, original.facts);
+    const JudgedMesh& original = record.likeness->original;
+    report["original"] = mesh_part(original.input);
     report["original_topology"] = topology_part(original.topology);
     report["likeness"] = likeness_part(*record.likeness);
   }

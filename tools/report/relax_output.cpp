@@ -10,9 +10,9 @@
 #include "core/base/loops.h"
 #include "tools/files/output_folder.h"
 #include "tools/files/rows.h"
+#include "tools/render/labels.h"
 #include "tools/render/painters.h"
 #include "tools/render/picture.h"
-#include "tools/report/report.h"
 #include "tools/run/checkpoint.h"
 #include "tools/run/frames.h"
 
@@ -21,28 +21,29 @@ namespace {
 
 constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                     "remesh.ply", "report.json"};
-enum ResultFile { tessellation_place, seeds_place, regions_place, remesh_place, report_place };
+enum ResultFile { tessellation_file, seeds_file, regions_file, remesh_file, report_file };
 
-void write_seeds_csv(const RunRecord& run, FileWriter& out) {
+void write_seeds_csv(const MeshGraph& mesh_graph, std::span<const RegionSummary> regions,
+                     FileWriter& out) {
   out.text("input_id,kind,x,y,z,nodes,area,energy\n");
-  for (const RegionSummary& region : run.regions) {
-    const std::uint32_t id = run.mesh_graph.input_id[region.seed];
-    const Vec3& p = run.mesh_graph.position[region.seed];
-    write_row(out, id, kind_of(run.mesh_graph, id), p.x(), p.y(), p.z(), region.node_count,
-              region.area, region.energy);
+  for (const RegionSummary& region : regions) {
+    const std::uint32_t id = mesh_graph.input_id[region.seed];
+    const Vec3& p = mesh_graph.position[region.seed];
+    write_row(out, id, kind_of(mesh_graph, id), p.x(), p.y(), p.z(), region.node_count, region.area,
+              region.energy);
   }
 }
 
-void write_regions_csv(const RunRecord& run, FileWriter& out) {
+void write_regions_csv(const MeshGraph& mesh_graph, const Partition& partition, FileWriter& out) {
   out.text("input_id,kind,region,distance\n");
-  const std::vector<NodeId>& node_of = run.mesh_graph.node_of;
+  const std::vector<NodeId>& node_of = mesh_graph.node_of;
   for (std::uint32_t id = 0; id < node_of.size(); ++id) {
-    const std::string_view kind = kind_of(run.mesh_graph, id);
+    const std::string_view kind = kind_of(mesh_graph, id);
     if (node_of[id] == no_id) {
       write_row(out, id, kind, "-1", "nan");
     } else {
-      const Key key = run.relaxation.partition.key[node_of[id]];
-      const double distance = distance_of(key) * run.mesh_graph.graph.tick_length;
+      const Key key = partition.key[node_of[id]];
+      const double distance = distance_of(key) * mesh_graph.graph.tick_length;
       write_row(out, id, kind, region_of(key), static_cast<float>(distance));
     }
   }
@@ -51,57 +52,60 @@ void write_regions_csv(const RunRecord& run, FileWriter& out) {
 }  // namespace
 
 void prepare_output(const RelaxArguments& arguments) {
-  std::vector<std::filesystem::path> others = {arguments.mesh, arguments.vfield,
-                                               arguments.seeds_file};
+  std::vector<std::filesystem::path> others = arguments.start.files();
   prepare_folder(arguments.output, relax_names, others);
   check_target(checkpoint_path(arguments.output), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
-  if (arguments.picture.empty()) return;
+  if (arguments.picture_file.empty()) return;
   for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments.output));
-  check_target(arguments.picture, others);
+  check_target(arguments.picture_file, others);
   std::error_code error;
   if (!arguments.frames.empty() &&
-      std::filesystem::equivalent(std::filesystem::absolute(arguments.picture, error).parent_path(),
-                                  arguments.frames, error)) {
-    throw InvalidInput(arguments.picture.string() +
+      std::filesystem::equivalent(
+          std::filesystem::absolute(arguments.picture_file, error).parent_path(), arguments.frames,
+          error)) {
+    throw InvalidInput(arguments.picture_file.string() +
                        ": is in the folder of the frames: give another place");
   }
 }
 
-FileGroup open_results(const RelaxArguments& arguments) {
-  return {arguments.output, relax_names};
+FileGroup open_results(const std::filesystem::path& folder) {
+  return {folder, relax_names};
 }
 
-void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler) {
-  const std::span<const Label> labels = run.labels;
-  const std::size_t vertices = has_vertices(run.mesh_graph.kind) ? run.facts.vertices : 0;
+void write_results(const Start& start, const Result& result, FileGroup& files,
+                   Scheduler& scheduler) {
+  const MeshGraph& mesh_graph = start.mesh_graph;
+  const Partition& partition = result.relaxation.partition;
+  const std::vector<Label> label = label_input_ids(mesh_graph, partition, result.regions.size());
+  const std::span<const Label> labels = label;
+  const std::size_t vertices = has_vertices(mesh_graph.kind) ? start.input.facts.vertices : 0;
   parallel_invoke(
       scheduler,
       [&] {
-        write_labelled_ply(files[tessellation_place], run.input.mesh, labels.first(vertices),
+        write_labelled_ply(files[tessellation_file], start.input.mesh(), labels.first(vertices),
                            labels.subspan(vertices));
       },
-      [&] { write_regions_csv(run, files[regions_place]); },
-      [&] { write_mesh(files[remesh_place], run.remesh.mesh); },
-      [&] { write_seeds_csv(run, files[seeds_place]); });
+      [&] { write_regions_csv(mesh_graph, partition, files[regions_file]); },
+      [&] { write_mesh(files[remesh_file], result.remesh.mesh); },
+      [&] { write_seeds_csv(mesh_graph, result.regions, files[seeds_file]); });
 }
 
-void write_picture(const RunRecord& run, Scheduler& scheduler) {
-  const RelaxArguments& a = run.arguments;
-  const Picture picture(run.input.mesh, parse_view(a.view), parse_size(a.size), 1, false,
-                        scheduler);
-  const std::vector<Colour> colours = colours_of_regions(
-      run.mesh_graph.graph, run.relaxation.partition, run.relaxation.seeds.size());
+void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
+                   const Start& start, const Relaxation& relaxation, Scheduler& scheduler) {
+  const Picture picture(start.input.mesh(), arguments.view, arguments.size, 1, false, scheduler);
+  const std::vector<Colour> colours =
+      colours_of_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds.size());
   const Canvas canvas =
-      paint_regions({run.mesh_graph, run.relaxation.partition, run.relaxation.seeds, colours},
+      paint_regions({start.mesh_graph, relaxation.partition, relaxation.seeds, colours},
                     picture.scene(), scheduler);
   const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
-  picture.write(a.picture, panels);
+  picture.write(path, panels);
 }
 
-void write_report(const RunRecord& run, FileGroup& files) {
-  files[report_place].text(report_text(run));
+void write_report(const std::string& text, FileGroup& files) {
+  files[report_file].text(text);
   files.commit();
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "parallel/threads/scheduler.h"
 #include "tools/files/file_group.h"
-#include "tools/run/run_record.h"
+#include "tools/run/result.h"
 
 namespace geolloyd {
 
@@ -14,18 +15,20 @@ namespace geolloyd {
 void prepare_output(const RelaxArguments& arguments);
 
 /// The files of the results. Those of another run stay until write_report.
-FileGroup open_results(const RelaxArguments& arguments);
+FileGroup open_results(const std::filesystem::path& folder);
 
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
 /// added seeds last.
-void write_results(const RunRecord& run, FileGroup& files, Scheduler& scheduler);
+void write_results(const Start& start, const Result& result, FileGroup& files,
+                   Scheduler& scheduler);
 
-/// --picture: the regions, in the colours of tessellation.ply.
-void write_picture(const RunRecord& run, Scheduler& scheduler);
+/// The regions, in the colours of tessellation.ply.
+void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
+                   const Start& start, const Relaxation& relaxation, Scheduler& scheduler);
 
-/// report.json (report.h), with which all of them appear.
-void write_report(const RunRecord& run, FileGroup& files);
+/// report.json, with which all of them appear. `text`: of report.h.
+void write_report(const std::string& text, FileGroup& files);
 
 }  // namespace geolloyd

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/evaluation/hexagonal_energy.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
@@ -10,18 +11,17 @@
 namespace geolloyd {
 namespace {
 
-Json engine_part(const RunRecord& run) {
-  const RelaxArguments& a = run.arguments;
-  const bool parallel = value_of(engine_names, a.engine) == EngineKind::parallel;
-  return {{"engine", a.engine},
-          {"threads", run.threads},
-          {"frontier", parallel ? Json(a.frontier) : Json(nullptr)},
-          {"backend", parallel ? Json(a.backend) : Json(nullptr)}};
+Json engine_part(const RelaxArguments& a, std::size_t threads) {
+  const EngineKind kind = a.engine.kind;
+  return {{"engine", name_of(engine_names, kind)},
+          {"threads", threads},
+          {"frontier", frontier_part(kind, a.engine.frontier)},
+          {"backend", backend_part(kind, a.threads.backend)}};
 }
 
-Json resumed_part(const RunRecord& run) {
-  if (!run.resumed) return nullptr;
-  return {{"from_step", run.resumed->steps}, {"seconds_before", run.resumed->seconds}};
+Json resumed_part(const std::optional<EarlierPart>& resumed) {
+  if (!resumed) return nullptr;
+  return {{"from_step", resumed->steps}, {"seconds_before", resumed->seconds}};
 }
 
 Json trace_part(const Relaxation& relaxation) {
@@ -68,50 +68,63 @@ Json remesh_part(const Remesh& remesh) {
           {"closed_ball_violations_left", violations_part(remesh.violations_left)}};
 }
 
-Json make_report(const RunRecord& run) {
-  const Relaxation& relaxation = run.relaxation;
-  Json report;
-  report["program"] = program_name();
-  report["machine"] = machine_part();
-  report["input"] = mesh_part(run.arguments.mesh, run.input, run.facts);
-  report["options"] = engine_part(run);
-  report["options"].update(options_part(run.arguments, run.regions.size()));
-  report["options"]["manifold"] = run.arguments.manifold;
-  report["options"]["remesh_vertices"] = run.arguments.remesh_vertices;
-  report["graph"] = graph_part(run.mesh_graph.graph, run.components);
-  report["end"] = name_of(stop_reason_names, relaxation.stop_reason);
-  report["interrupted"] = run.interrupted;
-  report["resumed"] = resumed_part(run);
-  report["steps"] = steps_part(count_steps(relaxation));
-  report["energy_initial"] = initial_energy(relaxation);
-  report["energy"] = relaxation.energy;
-  report["energy_ratio_hexagonal"] = relaxation.energy / hexagonal_energy(run);
-  const RegionSpread areas = region_spread(run.regions);
-  report["region_area"] = {
-      {"deviation", areas.deviation}, {"smallest", areas.smallest}, {"largest", areas.largest}};
-  report["isoperimetric_ratio"] = {{"mean", run.remesh.roundness.mean},
-                                   {"min", run.remesh.roundness.min}};
-  report["remesh"] = remesh_part(run.remesh);
-  if (run.ground_truth) report["ground_truth"] = ground_truth_part(*run.ground_truth);
-  report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
-  report["seconds"] = {{"load", run.seconds.load},
-                       {"graph", run.seconds.graph},
-                       {"seeds", run.seconds.seeds},
-                       {"relax", run.seconds.relax},
-                       {"ground_truth", run.seconds.ground_truth},
-                       {"remesh", run.seconds.remesh},
-                       {"write", run.seconds.write},
-                       {"total", run.seconds.total}};
-  report["memory_estimate_bytes"] = run.memory_estimate;
-  report["peak_memory_bytes"] = run.peak_memory_bytes;
-  report["trace"] = trace_part(relaxation);
-  return report;
+Json options_part(const RelaxArguments& a, const Result& result) {
+  Json part = engine_part(a, result.threads);
+  part.update(options_part(a.start, a.relaxation, result.regions.size()));
+  part["manifold"] = a.remesh.manifold;
+  part["remesh_vertices"] = name_of(remesh_vertices_names, a.remesh.vertices);
+  return part;
+}
+
+Json seconds_part(const Start::Seconds& start, const Cost& cost) {
+  return {{"load", start.load},
+          {"graph", start.graph},
+          {"seeds", start.seeds},
+          {"relax", cost.relax_seconds},
+          {"ground_truth", cost.ground_truth_seconds},
+          {"remesh", cost.remesh_seconds},
+          {"write", cost.write_seconds},
+          {"total", cost.total_seconds}};
 }
 
 }  // namespace
 
-std::string report_text(const RunRecord& run) {
-  return json_text(make_report(run));
+double hexagonal_energy(std::span<const RegionSummary> regions, const MeshFacts& facts) {
+  double mass = 0;
+  for (const RegionSummary& region : regions) mass += region.area;
+  return hexagonal_energy(mass, facts.area, regions.size());
+}
+
+std::string report_text(const RelaxArguments& arguments, const Start& start, const Result& result,
+                        const Cost& cost) {
+  const Relaxation& relaxation = result.relaxation;
+  Json report;
+  report["program"] = program_name();
+  report["machine"] = machine_part();
+  report["input"] = mesh_part(start.input);
+  report["options"] = options_part(arguments, result);
+  report["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  report["end"] = name_of(stop_reason_names, relaxation.stop_reason);
+  report["interrupted"] = result.interrupted;
+  report["resumed"] = resumed_part(result.resumed);
+  report["steps"] = steps_part(count_steps(relaxation));
+  report["energy_initial"] = initial_energy(relaxation);
+  report["energy"] = relaxation.energy;
+  report["energy_ratio_hexagonal"] =
+      relaxation.energy / hexagonal_energy(result.regions, start.input.facts);
+  const RegionSpread areas = region_spread(result.regions);
+  report["region_area"] = {
+      {"deviation", areas.deviation}, {"smallest", areas.smallest}, {"largest", areas.largest}};
+  report["isoperimetric_ratio"] = {{"mean", result.remesh.roundness.mean},
+                                   {"min", result.remesh.roundness.min}};
+  report["remesh"] = remesh_part(result.remesh);
+  if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);
+  report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
+  report["seconds"] = seconds_part(start.seconds, cost);
+  report["memory_estimate_bytes"] = start.memory_estimate;
+  report["peak_memory_bytes"] = cost.peak_memory_bytes;
+  report["trace"] = trace_part(relaxation);
+  return json_text(report);
 }
 
 }  // namespace geolloyd

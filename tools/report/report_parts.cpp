@@ -29,24 +29,25 @@ Json machine_part() {
           {"compiler", m.compiler}};
 }
 
-Json begin_result(const std::string& command, const RunRecord& run) {
+Json begin_result(const std::string& command, const Input& input) {
   return {{"program", program_name()},
           {"command", command},
           {"machine", machine_part()},
           {"mesh",
-           {{"file", run.arguments.mesh.string()},
-            {"vertices", run.facts.vertices},
-            {"triangles", run.facts.triangles}}}};
+           {{"file", input.file.string()},
+            {"vertices", input.facts.vertices},
+            {"triangles", input.facts.triangles}}}};
 }
 
-Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts) {
-  return {{"file", file.string()},
-          {"format", input.format},
+Json mesh_part(const Input& input) {
+  const MeshFacts& facts = input.facts;
+  return {{"file", input.file.string()},
+          {"format", input.loaded.format},
           {"vertices", facts.vertices},
           {"edges", facts.edges},
           {"triangles", facts.triangles},
-          {"polygons_split", input.polygon_count},
-          {"corners_welded", input.welded_corners},
+          {"polygons_split", input.loaded.polygon_count},
+          {"corners_welded", input.loaded.welded_corners},
           {"unreferenced_vertices", facts.unreferenced_vertices},
           {"repeated_vertex_triangles", facts.repeated_vertex_triangles},
           {"zero_area_triangles", facts.zero_area_triangles},
@@ -93,19 +94,32 @@ Json kernel_seconds_part(const KernelSeconds& seconds) {
   return part;
 }
 
-Json options_part(const RelaxArguments& a, std::size_t seeds) {
-  return {{"graph", a.graph},
-          {"norm", a.norm},
-          {"vfield", path_or_null(a.vfield)},
+Json options_part(const StartArguments& start, const RelaxationArguments& relaxation,
+                  std::size_t seeds) {
+  const SeedArguments& first = start.seeds;
+  const RelaxationOptions options = relaxation_options(first, relaxation);
+  return {{"graph", name_of(graph_kind_names, start.graph.kind)},
+          {"norm", name_of(norm_names, start.graph.norm)},
+          {"vfield", path_or_null(start.graph.vfield)},
           {"seeds", seeds},
-          {"seeds_file", path_or_null(a.seeds_file)},
-          {"init", a.seeds_file.empty() ? Json(a.init) : Json(nullptr)},
-          {"random_seed", a.random_seed},
-          {"greedy", name_of(greedy_mode_names, relaxation_options(a).greedy)},
-          {"microstep_skip", !a.no_microstep_skip},
-          {"macrostep_skip", !a.no_macrostep_skip},
-          {"max_greedy_steps", limit(a.max_greedy_steps)},
-          {"max_macrosteps", limit(a.max_macrosteps)}};
+          {"seeds_file", path_or_null(first.file)},
+          {"init", first.file.empty() ? Json(name_of(seed_init_names, first.init)) : Json(nullptr)},
+          {"random_seed", first.random_seed},
+          {"greedy", name_of(greedy_mode_names, options.greedy)},
+          {"microstep_skip", options.microstep_skip},
+          {"macrostep_skip", options.macrostep_skip},
+          {"max_greedy_steps", limit(options.max_greedy_steps)},
+          {"max_macrosteps", limit(options.max_macrosteps)}};
+}
+
+Json frontier_part(EngineKind engine, Frontier frontier) {
+  if (engine == EngineKind::reference) return nullptr;
+  return name_of(frontier_names, frontier);
+}
+
+Json backend_part(EngineKind engine, Backend backend) {
+  if (engine == EngineKind::reference) return nullptr;
+  return name_of(backend_names, backend);
 }
 
 Json number_or_null(std::optional<double> value) {

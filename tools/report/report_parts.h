@@ -1,13 +1,15 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "core/base/kernel_seconds.h"
 #include "core/graph/graph.h"
+#include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_topology.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/files/json.h"
-#include "tools/run/run_record.h"
+#include "tools/run/input.h"
 
 namespace geolloyd {
 
@@ -15,13 +17,17 @@ namespace geolloyd {
 
 Json machine_part();
 /// The beginning of a result file: program, command, machine, mesh.
-Json begin_result(const std::string& command, const RunRecord& run);
-Json mesh_part(const std::filesystem::path& file, const LoadedMesh& input, const MeshFacts& facts);
+Json begin_result(const std::string& command, const Input& input);
+Json mesh_part(const Input& input);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// The options in force, but for the engine's: of --greedy auto, the mode chosen.
-Json options_part(const RelaxArguments& arguments, std::size_t seeds);
+Json options_part(const StartArguments& start, const RelaxationArguments& relaxation,
+                  std::size_t seeds);
+/// The reference engine has neither frontier nor backend: null.
+Json frontier_part(EngineKind engine, Frontier frontier);
+Json backend_part(EngineKind engine, Backend backend);
 
 /// Not a number: null.
 Json number_or_null(std::optional<double> value);

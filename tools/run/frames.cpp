@@ -50,19 +50,20 @@ void prepare_frames(const RelaxArguments& arguments) {
   }
 }
 
-FramesEngine::FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler,
-                           std::span<const NodeId> first_seeds, std::span<const Step> steps)
+FramesEngine::FramesEngine(Engine& engine, const RelaxArguments& arguments, const Start& start,
+                           Scheduler& scheduler, std::span<const Step> steps)
     : engine_(engine),
-      run_(run),
+      folder_(arguments.frames),
+      mesh_graph_(start.mesh_graph),
       scheduler_(scheduler),
-      picture_(run.input.mesh, parse_view(run.arguments.view), parse_size(run.arguments.size), 1,
-               true, scheduler),
+      picture_(start.input.mesh(), arguments.picture.view, arguments.picture.size, 1, true,
+               scheduler),
       frames_(static_cast<std::uint32_t>(steps.size())),
       greedy_frames_(static_cast<std::uint32_t>(
           std::count_if(steps.begin(), steps.end(),
                         [](const Step& step) { return step.phase == Phase::greedy; }))) {
-  engine_.partition(first_seeds);
-  colours_ = colours_of_regions(run.mesh_graph.graph, engine_.current(), first_seeds.size());
+  engine_.partition(start.seeds);
+  colours_ = colours_of_regions(mesh_graph_.graph, engine_.current(), start.seeds.size());
 }
 
 std::vector<NodeId> FramesEngine::greedy_candidates(std::span<const NodeId> seeds, bool extended) {
@@ -79,17 +80,17 @@ std::vector<Microstep> FramesEngine::macrostep(std::vector<NodeId>& seeds,
 }
 
 void FramesEngine::draw(std::span<const NodeId> seeds, Phase phase) {
-  const Graph& graph = run_.mesh_graph.graph;
   const std::span<const Score> scores = region_scores();
-  const double energy = to_energy(graph, std::accumulate(scores.begin(), scores.end(), Score{0}));
+  const double energy =
+      to_energy(mesh_graph_.graph, std::accumulate(scores.begin(), scores.end(), Score{0}));
   const std::uint32_t step = frames_ - (phase == Phase::precise ? greedy_frames_ : 0);
   const std::string caption =
       fmt::format("{} step {}, energy {:.5g}", name_of(phase_names, phase), step + 1, energy);
   const Canvas canvas =
-      paint_regions({run_.mesh_graph, current(), seeds, colours_}, picture_.scene(), scheduler_);
+      paint_regions({mesh_graph_, current(), seeds, colours_}, picture_.scene(), scheduler_);
   const std::array<PanelImage, 1> panels = {
       {{to_pixels(picture_.scene(), canvas, scheduler_), caption}}};
-  picture_.write(run_.arguments.frames / frame_name(frames_, phase), panels);
+  picture_.write(folder_ / frame_name(frames_, phase), panels);
   ++frames_;
 }
 

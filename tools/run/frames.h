@@ -8,7 +8,7 @@
 
 #include "core/lloyd/engine.h"
 #include "tools/render/picture.h"
-#include "tools/run/run_record.h"
+#include "tools/run/stages.h"
 
 namespace geolloyd {
 
@@ -21,9 +21,9 @@ void prepare_frames(const RelaxArguments& arguments);
 /// 000-greedy.png, 001-greedy.png ..., 012-precise.png. A region has one colour in all of them.
 class FramesEngine final : public Engine {
  public:
-  /// Of a relaxation from `first_seeds`, after `steps`. The first three must live on.
-  FramesEngine(Engine& engine, const RunRecord& run, Scheduler& scheduler,
-               std::span<const NodeId> first_seeds, std::span<const Step> steps);
+  /// Of a relaxation after `steps`. All but these must live on.
+  FramesEngine(Engine& engine, const RelaxArguments& arguments, const Start& start,
+               Scheduler& scheduler, std::span<const Step> steps);
 
   void partition(std::span<const NodeId> seeds) override { engine_.partition(seeds); }
   [[nodiscard]] std::span<const Score> region_scores() const override {
@@ -42,7 +42,8 @@ class FramesEngine final : public Engine {
   void draw(std::span<const NodeId> seeds, Phase phase);
 
   Engine& engine_;
-  const RunRecord& run_;
+  const std::filesystem::path& folder_;
+  const MeshGraph& mesh_graph_;
   Scheduler& scheduler_;
   Picture picture_;
   std::vector<Colour> colours_;

@@ -1,6 +1,7 @@
 #include "tools/run/quality.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
@@ -10,55 +11,53 @@
 #include "core/mesh/mesh_measure.h"
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/site_energy.h"
-#include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
 namespace {
 
-MeshEdges load(const std::filesystem::path& file, MeshFile& mesh, Scheduler& scheduler,
+MeshEdges load(const std::filesystem::path& file, JudgedMesh& mesh, Scheduler& scheduler,
                ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  mesh.file = file;
-  mesh.input = read_within_limits(file);
-  MeshEdges edges = find_edges(mesh.input.mesh, scheduler);
-  mesh.facts = check_mesh(mesh.input.mesh, edges, scheduler);
-  mesh.topology = find_topology(mesh.input.mesh, edges);
-  return edges;
+  LoadedInput loaded = load_input(file, scheduler);
+  mesh.input = std::move(loaded.input);
+  mesh.topology = find_topology(mesh.input.mesh(), loaded.edges);
+  return std::move(loaded.edges);
 }
 
-void require_area(const MeshFile& mesh) {
-  if (mesh.facts.area > 0) return;
-  throw InvalidInput(mesh.file.string() + ": no triangle with an area, so no distance to measure");
+void require_area(const JudgedMesh& mesh) {
+  if (mesh.input.facts.area > 0) return;
+  throw InvalidInput(mesh.input.file.string() +
+                     ": no triangle with an area, so no distance to measure");
 }
 
 // Of the remesh's vertices, and of the hexagonal tiling with as many regions.
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
-  const Mesh& mesh = likeness.original.input.mesh;
+  const Mesh& mesh = likeness.original.input.mesh();
   const Buffer<double> areas = triangle_areas(mesh, edges.duplicates, scheduler);
   const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
   const std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
-  const double area = likeness.original.facts.area;
+  const double area = likeness.original.input.facts.area;
   likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());
 }
 
-Likeness compare(const MeshFile& remesh, const std::filesystem::path& original, std::size_t samples,
-                 Scheduler& scheduler, ProgressLine& progress) {
+Likeness compare(const JudgedMesh& remesh, const std::filesystem::path& original,
+                 std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
   Likeness likeness;
   const MeshEdges edges = load(original, likeness.original, scheduler, progress);
-  announce_memory(original.string(),
-                  memory_to_judge(remesh.facts.triangles, likeness.original.facts.triangles));
+  announce_memory(original.string(), memory_to_judge(remesh.input.facts.triangles,
+                                                     likeness.original.input.facts.triangles));
   require_area(remesh);
   require_area(likeness.original);
   progress.stage("measuring distances");
   likeness.samples = samples;
   likeness.distance =
-      measure_distance(scheduler, remesh.input.mesh, likeness.original.input.mesh, samples);
+      measure_distance(scheduler, remesh.input.mesh(), likeness.original.input.mesh(), samples);
   progress.stage("measuring energy");
-  measure_energy(remesh.input.mesh, edges, scheduler, likeness);
+  measure_energy(remesh.input.mesh(), edges, scheduler, likeness);
   return likeness;
 }
 
@@ -68,9 +67,9 @@ QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::
                     std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
   QualityRecord record;
   const MeshEdges edges = load(remesh, record.remesh, scheduler, progress);
-  record.quality = measure_quality(record.remesh.input.mesh, edges);
+  record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (original.empty()) {
-    announce_memory(remesh.string(), memory_to_judge(record.remesh.facts.triangles, 0));
+    announce_memory(remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
   } else {
     record.likeness = compare(record.remesh, original, samples, scheduler, progress);
   }

@@ -4,27 +4,24 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/formats/mesh_io.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/evaluation/surface_distance.h"
+#include "tools/run/input.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
 
-/// A file that holds a mesh, and what it is like.
-struct MeshFile {
-  std::filesystem::path file;
-  LoadedMesh input;
-  MeshFacts facts;
+/// A mesh that is judged, or that another is judged by.
+struct JudgedMesh {
+  Input input;
   MeshTopology topology;
 };
 
 /// A remesh beside the mesh that it stands for.
 struct Likeness {
-  MeshFile original;
+  JudgedMesh original;
   std::size_t samples = 0;   ///< on each of the two
   SurfaceDistance distance;  ///< first the remesh, second the original
   double energy = 0;         ///< of the remesh's vertices on the original (site_energy.h)
@@ -33,7 +30,7 @@ struct Likeness {
 
 /// All there is to tell of one run of `quality`.
 struct QualityRecord {
-  MeshFile remesh;
+  JudgedMesh remesh;
   MeshQuality quality;
   std::optional<Likeness> likeness;
 };

@@ -15,48 +15,49 @@
 
 namespace geolloyd {
 
-ResumableRelaxation::ResumableRelaxation(RunRecord& run, std::vector<NodeId> first_seeds)
-    : run_(run),
-      first_seeds_(std::move(first_seeds)),
-      file_(checkpoint_path(run.arguments.output), run.mesh_graph.graph, first_seeds_,
-            relaxation_options(run.arguments)) {
-  if (run.arguments.resume) {
+ResumableRelaxation::ResumableRelaxation(const RelaxArguments& arguments, const Start& start)
+    : arguments_(arguments),
+      start_(start),
+      file_(checkpoint_path(arguments.output), start.mesh_graph.graph, start.seeds,
+            relaxation_options(arguments.start.seeds, arguments.relaxation)) {
+  if (arguments.resume) {
     Checkpoint checkpoint = file_.read();
-    run.resumed = {checkpoint.state.steps.size(), checkpoint.seconds};
-    earlier_seconds_ = checkpoint.seconds;
+    resumed_ = {checkpoint.state.steps.size(), checkpoint.seconds};
     state_ = std::move(checkpoint.state);
   } else {
-    state_.seeds = first_seeds_;
+    state_.seeds = start.seeds;
   }
 }
 
-std::unique_ptr<Engine> ResumableRelaxation::relax(Scheduler& scheduler, ProgressLine& progress) {
+EndedRelaxation ResumableRelaxation::relax(Scheduler& scheduler, ProgressLine& progress) {
   watch_ = since_saved_ = Stopwatch();
-  const RelaxArguments& a = run_.arguments;
-  const Graph& graph = run_.mesh_graph.graph;
-  const EngineKind kind = value_of(engine_names, a.engine);
-  run_.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
-  auto engine = make_engine(kind, value_of(frontier_names, a.frontier), scheduler, graph);
+  const Graph& graph = start_.mesh_graph.graph;
+  const EngineKind kind = arguments_.engine.kind;
+  EndedRelaxation ended;
+  ended.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
+  ended.engine = make_engine(kind, arguments_.engine.frontier, scheduler, graph);
   std::optional<FramesEngine> frames;
-  if (!a.frames.empty()) frames.emplace(*engine, run_, scheduler, first_seeds_, state_.steps);
-  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *engine;
-  run_.relaxation = geolloyd::relax(
-      graph, chosen, state_, relaxation_options(a),
+  if (!arguments_.frames.empty()) {
+    frames.emplace(*ended.engine, arguments_, start_, scheduler, state_.steps);
+  }
+  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *ended.engine;
+  ended.relaxation = geolloyd::relax(
+      graph, chosen, state_, relaxation_options(arguments_.start.seeds, arguments_.relaxation),
       [&](const Progress& p) {
-        progress.show(p, first_seeds_.size());
+        progress.show(p, start_.seeds.size());
         return !interrupted();
       },
       [&](const RelaxationState&) {
-        if (since_saved_.seconds() >= a.checkpoint_seconds) save(progress);
+        if (since_saved_.seconds() >= arguments_.checkpoint_seconds) save(progress);
       });
-  run_.seconds.relax = watch_.seconds();
-  return engine;
+  ended.seconds = watch_.seconds();
+  return ended;
 }
 
 bool ResumableRelaxation::save(ProgressLine& progress) {
   since_saved_ = Stopwatch();
   try {
-    file_.write({state_, earlier_seconds_ + watch_.seconds()});
+    file_.write({state_, (resumed_ ? resumed_->seconds : 0) + watch_.seconds()});
     return true;
   } catch (const IoError& error) {
     progress.clear();

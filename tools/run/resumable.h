@@ -1,26 +1,44 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/stopwatch.h"
 #include "parallel/threads/scheduler.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/run/checkpoint.h"
-#include "tools/run/run_record.h"
+#include "tools/run/stages.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
+
+/// What was done before a run that resumed it.
+struct EarlierPart {
+  std::size_t steps = 0;
+  double seconds = 0;  ///< of the relaxation
+};
+
+/// A relaxation that has ended.
+struct EndedRelaxation {
+  Relaxation relaxation;
+  std::unique_ptr<Engine> engine;  ///< with the partition of the seeds as they are now
+  std::size_t threads = 0;
+  double seconds = 0;
+};
 
 /// The relaxation of one run of `relax`: keeps checkpoints of itself in the output folder, and may
 /// begin with one.
 class ResumableRelaxation {
  public:
-  /// Reads the checkpoint if the arguments say so. `run` must live on. Throws Error.
-  ResumableRelaxation(RunRecord& run, std::vector<NodeId> first_seeds);
+  /// Reads the checkpoint if the arguments say so. Both must live on. Throws Error.
+  ResumableRelaxation(const RelaxArguments& arguments, const Start& start);
 
-  /// Until it ends or an interrupt comes. Returns the engine, with the partition of the seeds as
-  /// they are then.
-  std::unique_ptr<Engine> relax(Scheduler& scheduler, ProgressLine& progress);
+  /// Of a run that goes on.
+  [[nodiscard]] const std::optional<EarlierPart>& resumed() const { return resumed_; }
+
+  /// Goes on until the relaxation ends or an interrupt comes.
+  EndedRelaxation relax(Scheduler& scheduler, ProgressLine& progress);
 
   /// Writes a checkpoint of the last boundary between two steps. Where it cannot, that is said, and
   /// no reason to lose the work: returns false.
@@ -30,11 +48,11 @@ class ResumableRelaxation {
   void forget();
 
  private:
-  RunRecord& run_;
-  std::vector<NodeId> first_seeds_;
+  const RelaxArguments& arguments_;
+  const Start& start_;
   CheckpointFile file_;
+  std::optional<EarlierPart> resumed_;
   RelaxationState state_;
-  double earlier_seconds_ = 0;
   Stopwatch watch_;
   Stopwatch since_saved_;
 };

@@ -1,41 +1,70 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "core/graph/mesh_graph.h"
+#include "core/lloyd/engine.h"
 #include "parallel/threads/scheduler.h"
-#include "tools/run/run_record.h"
+#include "tools/cli/relax_arguments.h"
+#include "tools/evaluation/ground_truth.h"
+#include "tools/run/input.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
 
 /// The threads that the command line asks for.
-Scheduler make_scheduler(const RelaxArguments& a);
+Scheduler make_scheduler(const ThreadArguments& threads);
 
-/// The remesh that the command line asks for.
-RemeshOptions remesh_options(const RelaxArguments& a);
+/// What a command does with a graph, as far as its memory goes by that.
+struct Purpose {
+  EngineKind engine = EngineKind::parallel;
+  bool has_ground_truth = false;            ///< of the result or of the remesh
+  std::optional<PictureArguments> picture;  ///< empty: none is drawn
+};
 
-/// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
-/// the size of the file, then for what comes next in every command, finding its edges.
-LoadedMesh read_within_limits(const std::filesystem::path& path);
+/// A graph of a mesh.
+struct BuiltGraph {
+  MeshGraph mesh_graph;
+  std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
+  double seconds = 0;                 ///< to build it
+};
 
-/// Reads and checks the mesh.
-MeshEdges load_mesh(RunRecord& run, Scheduler& scheduler);
+/// Throws InvalidInput where the whole run, with so many seeds at first, needs more memory than
+/// there is.
+BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
+                       std::size_t seeds, const Purpose& purpose, Scheduler& scheduler);
 
-/// Of the kind that the arguments say. Throws InvalidInput where the whole run, with so many seeds
-/// at first, needs more memory than there is.
-void build_graph(RunRecord& run, Scheduler& scheduler, const MeshEdges& edges, std::size_t seeds);
+/// All that there is before a relaxation begins.
+struct Start {
+  Input input;
+  MeshGraph mesh_graph;
+  std::size_t components = 0;  ///< of the graph
+  std::vector<NodeId> seeds;
+  std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
 
-/// All that comes before the relaxation: these two, then chooses or reads the first seeds and
-/// returns them. Fills in what `run` has to say of these stages.
-std::vector<NodeId> prepare(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
+  struct Seconds {
+    double load = 0;   ///< reading and checking the mesh
+    double graph = 0;  ///< finding edges, which are arcs to be, and building the graph
+    double seeds = 0;
+  } seconds;
+};
 
-/// Of the relaxation's seeds and partition.
-void find_ground_truth(RunRecord& run, Scheduler& scheduler, ProgressLine& progress);
+/// Reads the mesh, builds its graph, and chooses or reads the first seeds.
+Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
+              ProgressLine& progress);
 
-/// The partition of run.relaxation.seeds as they are. Returns the engine that found it.
-std::unique_ptr<Engine> partition_seeds(RunRecord& run, Scheduler& scheduler);
+/// A partition and the parallel engine that has just found it.
+struct EnginePartition {
+  std::unique_ptr<Engine> engine;
+  Partition partition;
+};
+
+EnginePartition partition_seeds(const Graph& graph, std::span<const NodeId> seeds,
+                                Frontier frontier, Scheduler& scheduler);
 
 }  // namespace geolloyd

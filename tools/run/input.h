@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/formats/mesh_io.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
+#include "parallel/threads/scheduler.h"
+
+namespace geolloyd {
+
+/// A mesh that was read from a file, and what was found in it.
+struct Input {
+  std::filesystem::path file;
+  LoadedMesh loaded;
+  MeshFacts facts;
+
+  [[nodiscard]] const Mesh& mesh() const { return loaded.mesh; }
+};
+
+/// An input, the edges that were found on the way, and how long both took.
+struct LoadedInput {
+  Input input;
+  MeshEdges edges;
+  double seconds = 0;       ///< to read and check the mesh
+  double edge_seconds = 0;  ///< to find the edges
+};
+
+/// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
+/// the size of the file, then for what comes next in every command, finding its edges.
+LoadedMesh read_within_limits(const std::filesystem::path& file);
+
+/// Reads a mesh in the same way, finds its edges and checks it.
+LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler);
+
+}  // namespace geolloyd
