@@ -8,16 +8,17 @@ mapfile -d '' files < <(find core parallel tools bench tests \( -name '*.h' -o -
 awk '
 # A file includes only from its own room and from the rooms above it.
 function table() {
-  return "core/base core/text core/mesh core/formats core/shapes core/graph core/voronoi " \
-         "core/seeds core/lloyd core/remesh " \
-         "parallel/threads parallel/engine " \
+  return "core/include/geolloyd " \
+         "core/base core/text core/mesh core/formats core/shapes core/graph core/voronoi " \
+         "core/seeds core/lloyd core/remesh core/library " \
+         "parallel/include/geolloyd parallel/threads parallel/engine parallel/library " \
          "tools/words tools/evaluation tools/render " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/formats tests/shapes tests/graph " \
-         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/parallel tests/evaluation " \
-         "tests/program tests/golden tests/work tests/fuzz tests/consumer"
+         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/library tests/parallel tests/evaluation " \
+         "tests/program tests/golden tests/work tests/fuzz tests/consumer tests/consumer/core/base tests/consumer/core/mesh"
 }
 
 # What no line of a room may do, but in the rooms named last.
@@ -51,10 +52,19 @@ function folder(path) {
   return path
 }
 
+# The room of a header that is included as "geolloyd/NAME.h", as users do.
+function room_of(header) {
+  return header in public_room ? public_room[header] : folder(header)
+}
+
 BEGIN {
   rooms = split(table(), names, " ")
   for (i = 1; i <= rooms; ++i) place[names[i]] = i
   rules()
+  for (i = 1; i < ARGC; ++i) {
+    header = ARGV[i]
+    if (sub("^.*/include/", "", header)) public_room[header] = folder(ARGV[i])
+  }
 }
 
 FNR == 1 {
@@ -68,7 +78,7 @@ FNR == 1 {
 
 /^#include "/ {
   split($0, part, "\"")
-  other = folder(part[2])
+  other = room_of(part[2])
   if (!(other in place)) {
     complain("includes from no room")
   } else if (place[other] > place[room]) {

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/base/stopwatch.h"
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "core/voronoi/graph_error.h"
+#include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
 
 namespace geolloyd {

@@ -9,7 +9,7 @@
 #include "bench/support/bench_mesh.h"
 #include "bench/support/interrupt.h"
 #include "bench/support/run.h"
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/errors.h"
 #include "core/text/text_cursor.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

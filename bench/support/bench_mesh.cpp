@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/errors.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

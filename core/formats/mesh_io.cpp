@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "core/base/bounding_box.h"
-#include "core/base/errors.h"
 #include "core/formats/mesh_readers.h"
 #include "core/text/file_io.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

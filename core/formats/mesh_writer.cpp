@@ -4,9 +4,9 @@
 #include <limits>
 #include <string>
 
-#include "core/base/errors.h"
 #include "core/formats/mesh_readers.h"
 #include "core/text/file_writer.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "core/base/errors.h"
 #include "core/base/loops.h"
 #include "core/graph/sorted_rows.h"
 #include "core/graph/ticks.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

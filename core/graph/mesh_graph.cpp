@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "core/base/errors.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/graph/mesh_arcs.h"
 #include "core/graph/spatial_order.h"
 #include "core/mesh/mesh_measure.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

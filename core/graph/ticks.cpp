@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh_edges.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

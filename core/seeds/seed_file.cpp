@@ -7,8 +7,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "core/base/errors.h"
 #include "core/text/text_cursor.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <unordered_set>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh_measure.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

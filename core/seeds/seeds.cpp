@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "core/base/errors.h"
 #include "core/base/random.h"
 #include "core/base/weighted_sampler.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/partition.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

@@ -19,7 +19,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geolloyd {

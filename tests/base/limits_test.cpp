@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/errors.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
 #include "core/graph/ticks.h"
@@ -11,6 +10,7 @@
 #include "core/shapes/shapes.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/subtree.h"
+#include "geolloyd/errors.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/base/random.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tools/evaluation/closest_on_triangle.h"
 #include "tools/evaluation/unit_frame.h"
 

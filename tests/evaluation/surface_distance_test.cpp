@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tools/evaluation/surface_samples.h"
 
 namespace geolloyd {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <random>
 
-#include "core/base/errors.h"
 #include "core/text/file_io.h"
+#include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geolloyd {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "bench/support/same_bytes.h"
-#include "core/base/errors.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/paired_engine.h"
@@ -25,6 +24,7 @@
 #include "core/remesh/dual_repair.h"
 #include "core/remesh/region_borders.h"
 #include "core/voronoi/check_partition.h"
+#include "geolloyd/errors.h"
 #include "parallel/engine/parallel_growing_search.h"
 #include "tests/fuzz/target.h"
 

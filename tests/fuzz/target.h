@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 /// What libFuzzer, and replay.cpp, calls with each input. Returns 0, or -1 where an input should
 /// not be kept. Whatever it should not find ends the process.

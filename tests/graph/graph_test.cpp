@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/errors.h"
 #include "core/voronoi/dijkstra.h"
+#include "geolloyd/errors.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {

@@ -7,12 +7,12 @@
 #include <numeric>
 #include <set>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/shapes/shapes.h"
 #include "core/voronoi/check_partition.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/forest.h"
+#include "geolloyd/errors.h"
 #include "tests/support/graph_kinds.h"
 
 namespace geolloyd {

@@ -8,13 +8,10 @@
 
 #include "core/shapes/shapes.h"
 #include "tests/support/random_graph.h"
+#include "tests/support/topology.h"
 
 namespace geolloyd {
 namespace {
-
-MeshTopology topology_of(const Mesh& mesh) {
-  return find_topology(mesh, find_edges(mesh));
-}
 
 Mesh soup(std::size_t vertices, std::vector<Triangle> triangles) {
   return {std::vector<Vec3>(vertices, Vec3::Zero()), std::move(triangles)};

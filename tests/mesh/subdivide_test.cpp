@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tests/support/doubled_area.h"
 
 namespace geolloyd {

@@ -6,10 +6,10 @@
 #include <functional>
 #include <string>
 
-#include "core/base/errors.h"
 #include "core/base/random.h"
 #include "core/formats/tangent_field_file.h"
 #include "core/graph/arc_length.h"
+#include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geolloyd {

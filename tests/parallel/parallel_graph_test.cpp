@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "bench/support/same_bytes.h"
-#include "core/base/errors.h"
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tests/support/graph_kinds.h"
 
 namespace geolloyd {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/text/file_io.h"
 #include "core/voronoi/fingerprint.h"
+#include "geolloyd/errors.h"
 #include "tests/support/same_relaxation.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/files/flat_map.h"

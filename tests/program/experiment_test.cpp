@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/base/errors.h"
 #include "core/base/kernel_seconds.h"
 #include "core/base/stopwatch.h"
+#include "geolloyd/errors.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
 #include "tools/experiments/batch.h"

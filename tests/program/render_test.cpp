@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tools/render/painters.h"
 #include "tools/render/panel.h"
 #include "tools/render/picture.h"

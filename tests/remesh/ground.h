@@ -13,6 +13,7 @@
 #include "core/remesh/dual_places.h"
 #include "core/remesh/dual_repair.h"
 #include "core/seeds/seeds.h"
+#include "tests/support/topology.h"
 
 namespace geolloyd {
 
@@ -51,10 +52,6 @@ struct Ground {
   MeshGraph mesh_graph;
   std::unique_ptr<Engine> engine;
 };
-
-inline MeshTopology topology_of(const Mesh& mesh) {
-  return find_topology(mesh, find_edges(mesh));
-}
 
 /// All vertices in use, and the surface over again. Orientation is kept where there is one.
 inline void expect_same_topology(const Mesh& remesh, const Mesh& mesh) {

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <set>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tests/support/graph_kinds.h"
 
 namespace geolloyd {

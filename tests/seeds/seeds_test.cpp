@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/errors.h"
 #include "core/graph/mesh_graph.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
 #include "tests/support/naive.h"
 #include "tests/support/random_graph.h"
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/mesh/mesh_edges.h"
+#include "geolloyd/errors.h"
 #include "tests/support/doubled_area.h"
 
 namespace geolloyd {

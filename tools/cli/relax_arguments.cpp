@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/errors.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_places.h"
 #include "core/seeds/seeds.h"
+#include "geolloyd/errors.h"
 #include "parallel/engine/parallel_growing_search.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"

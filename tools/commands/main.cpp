@@ -13,7 +13,7 @@
 #include <system_error>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/cli/memory_option.h"
 #include "tools/cli/suggestion.h"
 #include "tools/commands/commands.h"

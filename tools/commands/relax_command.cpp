@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/base/errors.h"
 #include "core/formats/tangent_field_file.h"
+#include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/files/output_folder.h"

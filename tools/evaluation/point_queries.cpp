@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/evaluation/closest_on_triangle.h"
 #include "tools/evaluation/embree_scene.h"
 #include "tools/evaluation/unit_frame.h"

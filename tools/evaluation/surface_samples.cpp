@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/errors.h"
 #include "core/base/random.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {

@@ -2,9 +2,9 @@
 
 #include <system_error>
 
-#include "core/base/errors.h"
 #include "core/formats/mesh_io.h"
 #include "core/text/file_io.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

@@ -1,6 +1,6 @@
 #include "tools/render/panel.h"
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

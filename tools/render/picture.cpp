@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/base/errors.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_edges.h"
+#include "geolloyd/errors.h"
 #include "tools/render/sheet.h"
 
 namespace geolloyd {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/base/errors.h"
 #include "core/text/file_writer.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

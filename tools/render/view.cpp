@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/words/named.h"
 
 namespace geolloyd {

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/base/loops.h"
+#include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/files/rows.h"
 #include "tools/render/labels.h"

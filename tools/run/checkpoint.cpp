@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/errors.h"
 #include "core/graph/components.h"
 #include "core/text/file_io.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/fingerprint.h"
+#include "geolloyd/errors.h"
 #include "tools/files/flat_map.h"
 #include "tools/system/build_facts.h"
 #include "tools/words/names.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <system_error>
 
-#include "core/base/errors.h"
 #include "core/voronoi/energy.h"
+#include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
 #include "tools/words/names.h"

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "geolloyd/errors.h"
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/site_energy.h"
 #include "tools/system/memory_estimate.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/run/frames.h"
 #include "tools/run/measured_run.h"

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 #include "tools/system/available_memory.h"
 
 namespace geolloyd {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 

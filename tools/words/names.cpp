@@ -58,7 +58,7 @@ const std::vector<Named<Frontier>> frontier_names = {
     {"auto", Frontier::automatic},
 };
 
-const std::vector<Named<Backend>> backstop_reason_names = {
+const std::vector<Named<Backend>> backend_names = {
     {"tbb", Backend::tbb},
     {"openmp", Backend::openmp},
 };

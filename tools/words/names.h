@@ -29,7 +29,7 @@ extern const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names;
 extern const std::vector<Named<SeedInit>> seed_init_names;
 extern const std::vector<Named<StopReason>> stop_reason_names;
 extern const std::vector<Named<Frontier>> frontier_names;
-extern const std::vector<Named<Backend>> backstop_reason_names;
+extern const std::vector<Named<Backend>> backend_names;
 extern const std::vector<Named<Phase>> phase_names;
 extern const std::vector<Named<double KernelSeconds::*>> kernel_names;
 
