@@ -44,9 +44,9 @@ enum class SeedInit {
 /// phase, the extended one.
 enum class GreedyMode { off, standard, extended };
 
-/// The mode that suits first seeds chosen in this way. Farthest-point seeds are spread so evenly
-/// that a greedy phase takes more time than all the rest and often raises the energy; from the
-/// others it lowers the energy (bench/README.md, "When the greedy phase pays").
+/// The mode that suits first seeds chosen in this way. From farthest-point seeds the greedy phase
+/// takes time and raises the energy more often than it lowers it; from the other seeds it nearly
+/// always lowers it (bench/README.md, "When the greedy phase pays").
 constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
   return init == SeedInit::farthest ? GreedyMode::off : GreedyMode::extended;
 }
