@@ -13,20 +13,20 @@ status=0
 
 finds() {  # file, what is said of it, line that is added to it
   local path=$copy/$1
-  local before
+  local before said
   before=$(cat "$path" 2>/dev/null)
   mkdir -p "$(dirname "$path")"
   printf '%s' "${before:+$before$'\n'}$3"$'\n' >"$path"
-  if ! { ! "$check" "$copy"; } | grep -qF "$2: $3"; then
+  if said=$("$check" "$copy") || ! grep -qF "$2: $3" <<<"$said"; then
     echo "not found: $3 in $1"
     status=1
   fi
-  if [ -n "$before" ]; then printf '%s\n' "$before" >"$path"; else rm -r "$(dirname "$path")"; fi
+  if [ -n "$before" ]; then printf '%s\n' "$before" >"$path"; else rm "$path"; fi
 }
 
 finds core/mesh/mesh.h 'includes from a later room' '#include "core/graph/graph.h"'
 finds core/remesh/tessellation.cpp 'includes from a later room' '#include "parallel/threads/scheduler.h"'
-finds parallel/threads/scheduler.h 'includes from a later room' '#include "parallel/engine/branches.h"'
+finds parallel/threads/scheduler.h 'includes from a later room' '#include "parallel/engine/parallel_engine.h"'
 finds tools/words/names.h 'includes from a later room' '#include "tools/cli/number_option.h"'
 finds tools/cli/number_option.h 'includes from a later room' '#include "tools/run/stages.h"'
 finds tests/support/naive.h 'includes from a later room' '#include "tests/fuzz/soup.h"'
@@ -34,12 +34,13 @@ finds core/base/types.h 'includes from no room' '#include "types.h"'
 finds core/base/types.h 'names a thread' '#include <thread>'
 finds core/graph/graph.h 'names an atomic' '#include <atomic>'
 finds core/text/file_io.cpp 'prints or exits' '  std::printf("done");'
-finds parallel/engine/branches.cpp 'starts threads' '#pragma omp parallel'
+finds parallel/engine/local_region.h 'starts threads' '#pragma omp parallel'
 finds core/mesh/mesh.h 'knows Embree' '#include <embree4/rtcore.h>'
 finds tools/run/stages.h 'knows Cairo' '#include <cairo/cairo.h>'
 finds tools/report/report.h 'knows CLI11' '#include <CLI/CLI.hpp>'
 finds bench/suites/main.cpp 'needs the tools' '#include "tools/words/names.h"'
 finds core/attic/old.h 'the folder is not in the table of tests/check_layers.sh' '#include "core/base/types.h"'
+"$check" "$copy" || { echo 'the copy did not become whole again'; status=1; }
 
 rm -r "$copy/core/shapes"
 "$check" "$copy" | grep -qF 'core/shapes: is in the table' || { echo 'a missing room is not found'; status=1; }

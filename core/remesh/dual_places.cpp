@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "core/mesh/segment.h"
 #include "core/remesh/dual_place_repair.h"
 
 namespace geolloyd {
@@ -32,13 +33,6 @@ struct OuterPlace {
 
   [[nodiscard]] bool is_blunt() const { return cosine == sharp_cosine; }
 };
-
-Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return a + t * along;
-}
 
 // From a vertex of the boundary to a neighbour along the boundary.
 using BoundaryStep = std::array<VertexId, 2>;

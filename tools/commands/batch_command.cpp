@@ -5,17 +5,15 @@
 #include <memory>
 #include <utility>
 
-#include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_places.h"
-#include "core/seeds/seeds.h"
 #include "geolloyd/errors.h"
-#include "parallel/engine/parallel_growing_search.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/batch.h"
 #include "tools/experiments/experiment.h"
+#include "tools/experiments/first_seeds.h"
 #include "tools/run/measured_run.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
@@ -40,61 +38,6 @@ struct BatchArguments {
   std::vector<bool> microstep_skip = values_of(switch_names);
   ExperimentOutput output;
 };
-
-using Triangles = std::vector<std::uint32_t>;
-
-/// The first seeds of one batch, as triangles.
-struct FirstSeeds {
-  std::size_t seeds;
-  std::size_t batch;  // from 1
-  Triangles places;
-};
-
-// That a batch can have so many first seeds.
-void check_first_seeds(std::size_t seeds, std::size_t triangles, std::size_t components) {
-  if (seeds < components) {
-    throw InvalidInput(fmt::format(
-        "{}: first seeds are chosen as triangles, and these are in {} parts that no edge "
-        "joins: each needs a seed",
-        counted(seeds, "seed", "seeds"), grouped(components)));
-  }
-  if (seeds > triangles) {
-    throw InvalidInput(fmt::format("{}: this mesh has only {} to choose first seeds from",
-                                   counted(seeds, "seed", "seeds"),
-                                   counted(triangles, "triangle", "triangles")));
-  }
-}
-
-// Chosen on the triangle graph, each batch by a random seed of its own.
-std::vector<FirstSeeds> choose_starts(const BatchArguments& a,
-                                      const std::vector<std::size_t>& ladder, const Mesh& mesh,
-                                      const MeshEdges& edges, Scheduler& scheduler) {
-  MeshGraphOptions options;
-  options.kind = GraphKind::triangle;
-  const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
-  const Components components = connected_components(made.graph);
-  std::vector<FirstSeeds> starts;
-  for (const std::size_t k : ladder) {
-    check_first_seeds(k, made.graph.node_count(), components.size());
-    for (std::size_t batch = 1; batch <= a.batches; ++batch) {
-      FirstSeeds start{k, batch, {}};
-      for (const NodeId s : choose_seeds(made.graph, components, a.start.seeds.init, k,
-                                         a.start.seeds.random_seed + batch - 1,
-                                         *make_parallel_growing_search(scheduler, made.graph))) {
-        start.places.push_back(made.input_id[s]);
-      }
-      starts.push_back(std::move(start));
-    }
-  }
-  return starts;
-}
-
-// Before any work: are there enough vertices everywhere?
-void check_starts(const std::vector<FirstSeeds>& starts, const Mesh& mesh, const MeshEdges& edges,
-                  Scheduler& scheduler) {
-  const MeshGraph made = make_mesh_graph(mesh, edges, {}, scheduler);
-  for (const FirstSeeds& start : starts) seeds_at_triangles(mesh, made, start.places);
-}
 
 // All there are for one graph and number of seeds.
 std::vector<BatchRow> empty_rows(const BatchArguments& a, GraphKind graph, std::size_t seeds) {
@@ -131,8 +74,8 @@ class Batches {
     check_ladder();
     progress_.stage("choosing seeds");
     const Mesh& mesh = loaded_.input.mesh();
-    starts_ = choose_starts(arguments_, ladder_, mesh, loaded_.edges, scheduler_);
-    check_starts(starts_, mesh, loaded_.edges, scheduler_);
+    starts_ = choose_first_seeds(arguments_.start.seeds, ladder_, arguments_.batches, mesh,
+                                 loaded_.edges, scheduler_);
   }
 
   /// Calls `save` with all rows so far after each graph and number of seeds.

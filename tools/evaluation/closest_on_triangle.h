@@ -1,19 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 
-#include "core/base/vec3.h"
+#include "core/mesh/segment.h"
 
 namespace geolloyd {
-
-/// The share of the way from `a` to `b` at which their segment is closest to the origin; 0 where
-/// they coincide.
-inline double share_closest_to_origin(const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double square = dot(ab, ab);
-  return square > 0 ? std::clamp(-dot(a, ab) / square, 0.0, 1.0) : 0.0;
-}
 
 /// Weights of the second and third corner at the point of a triangle that is closest to the origin
 /// (not negative, at most 1 together up to rounding). The best of three points on its edges and of
@@ -33,9 +24,10 @@ inline std::array<double, 2> weights_closest_to_origin(const std::array<Vec3, 3>
       best = {v, w};
     }
   };
-  const double on_bc = share_closest_to_origin(b, c);
-  offer(share_closest_to_origin(a, b), 0);
-  offer(0, share_closest_to_origin(a, c));
+  const Vec3 origin = Vec3::Zero();
+  const double on_bc = closest_share(origin, b, c);
+  offer(closest_share(origin, a, b), 0);
+  offer(0, closest_share(origin, a, c));
   offer(1 - on_bc, on_bc);
   const Vec3 normal = cross(b - a, c - a);
   const double u = dot(cross(b, c), normal);

@@ -8,7 +8,7 @@
 #include "core/mesh/mesh.h"
 #include "core/voronoi/partition.h"
 #include "parallel/threads/scheduler.h"
-#include "tools/evaluation/spread.h"
+#include "tools/evaluation/statistics.h"
 
 namespace geolloyd {
 
@@ -29,11 +29,11 @@ struct GroundTruth {
   std::size_t unreached_nodes = 0;  ///< left out
   double node_agreement = 1;        ///< share of nodes that the graph puts into the same region
   double area_agreement = 1;        ///< the same by mass
-  Spread distance_in_edges;         ///< seed_distance over the mean side of a triangle
-  Spread distance_in_radii;  ///< seed_distance over the radius of a disc of the region's area
-  double energy = 0;         ///< sum of mass * |node - seed|^2, mesh units
-  double graph_energy = 0;   ///< the same sum, with the graph's regions
-  double hexagonal = 0;      ///< energy of a hexagonal tiling of as much (hexagonal_energy.h)
+  Statistics distance_in_edges;     ///< seed_distance over the mean side of a triangle
+  Statistics distance_in_radii;  ///< seed_distance over the radius of a disc of the region's area
+  double energy = 0;             ///< sum of mass * |node - seed|^2, mesh units
+  double graph_energy = 0;       ///< the same sum, with the graph's regions
+  double hexagonal = 0;          ///< energy of a hexagonal tiling of as much (hexagonal_energy.h)
 };
 
 /// `partition`: of the graph by these seeds, regions free. The same for any number of threads.

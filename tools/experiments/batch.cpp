@@ -1,29 +1,26 @@
 #include "tools/experiments/batch.h"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "geolloyd/errors.h"
 #include "tools/words/names.h"
+#include "tools/words/numbers.h"
 
 namespace geolloyd {
 namespace {
 
-Json spread_json(const Spread& spread) {
-  return {{"min", spread.min()}, {"avg", spread.mean()}, {"max", spread.max()}};
+Json statistics_json(const Statistics& values) {
+  return {{"min", values.min()}, {"avg", values.mean()}, {"max", values.max()}};
 }
 
 std::size_t seed_count(std::string_view text, const std::string& item) {
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc{} || end != text.data() + text.size() || count == 0) {
-    throw InvalidInput("--seeds " + item +
-                       ": not a number of seeds; give 1024, or 4..1024 for 4, 8, "
-                       "16... 1024");
-  }
-  return count;
+  const auto count = parse_number<std::size_t>(text);
+  if (count && *count > 0) return *count;
+  throw InvalidInput("--seeds " + item +
+                     ": not a number of seeds; give 1024, or 4..1024 for 4, 8, "
+                     "16... 1024");
 }
 
 }  // namespace
@@ -50,13 +47,13 @@ Json row_json(const BatchRow& row) {
           {"microstep_skip", c.microstep_skip},
           {"batches", row.batches},
           {"converged", row.converged},
-          {"seconds", spread_json(row.seconds)},
-          {"greedy_steps", spread_json(row.greedy_steps)},
-          {"macrosteps", spread_json(row.macrosteps)},
-          {"microsteps", spread_json(row.microsteps)},
-          {"partitions", spread_json(row.partitions)},
-          {"node_visits", spread_json(row.node_visits)},
-          {"energy", spread_json(row.energy)}};
+          {"seconds", statistics_json(row.seconds)},
+          {"greedy_steps", statistics_json(row.greedy_steps)},
+          {"macrosteps", statistics_json(row.macrosteps)},
+          {"microsteps", statistics_json(row.microsteps)},
+          {"partitions", statistics_json(row.partitions)},
+          {"node_visits", statistics_json(row.node_visits)},
+          {"energy", statistics_json(row.energy)}};
 }
 
 std::vector<std::size_t> seed_ladder(const std::vector<std::string>& items) {

@@ -7,7 +7,7 @@
 
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
-#include "tools/evaluation/spread.h"
+#include "tools/evaluation/statistics.h"
 #include "tools/report/report_parts.h"
 
 namespace geolloyd {
@@ -26,13 +26,13 @@ struct BatchRow {
   Configuration configuration;
   std::size_t batches = 0;
   std::size_t converged = 0;
-  Spread seconds;
-  Spread greedy_steps;
-  Spread macrosteps;
-  Spread microsteps;
-  Spread partitions;
-  Spread node_visits;
-  Spread energy;
+  Statistics seconds;
+  Statistics greedy_steps;
+  Statistics macrosteps;
+  Statistics microsteps;
+  Statistics partitions;
+  Statistics node_visits;
+  Statistics energy;
 
   void add(const Relaxation& relaxation, double elapsed);
 };

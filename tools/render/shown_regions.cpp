@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/base/loops.h"
+#include "core/mesh/mesh_measure.h"
 
 namespace geolloyd {
 namespace {
@@ -38,11 +39,6 @@ struct Places {
   }
 };
 
-Vec3 centre_of(const Mesh& mesh, std::size_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
-}
-
 // of_node(node) is a node's Nearest; seen_from(its own, its position, another position) that of a
 // vertex by way of a triangle.
 template <class OfNode, class SeenFrom>
@@ -68,7 +64,7 @@ Places find_places(const Scene& scene, const MeshGraph& mesh_graph, Scheduler& s
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Nearest& own = places.triangle[t];
     if (own.region == no_id) continue;
-    const Vec3 centre = centre_of(mesh, t);
+    const Vec3 centre = barycentre(mesh, static_cast<TriangleId>(t));
     for (const VertexId v : mesh.triangles[t]) {
       places.vertex[v] = std::min(places.vertex[v], seen_from(own, centre, mesh.positions[v]));
     }
@@ -110,7 +106,7 @@ Corners corners_around(const RayHit& hit, const Mesh& mesh, const Places& places
   const double least = corners.corner[2].weight;
   corners.corner[0].weight -= least;
   corners.corner[1].weight -= least;
-  corners.corner[2] = {3 * least, centre_of(mesh, hit.triangle), places.triangle[hit.triangle]};
+  corners.corner[2] = {3 * least, barycentre(mesh, hit.triangle), places.triangle[hit.triangle]};
   std::sort(corners.corner.begin(), corners.corner.end(), heavier);
   return corners;
 }

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "geolloyd/errors.h"
 #include "tools/words/named.h"
+#include "tools/words/numbers.h"
 
 namespace geolloyd {
 namespace {
@@ -27,13 +28,12 @@ constexpr int most_side = 8192;  // nine samples a pixel: 18 GB (memory_estimate
 // The two numbers of "3,4" or "3x4", and nothing else.
 template <class Number>
 std::optional<std::array<Number, 2>> parse_pair(const std::string& text, char separator) {
-  std::array<Number, 2> pair{};
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, pair[0]);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, pair[1]);
-  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  return pair;
+  const std::size_t sign = text.find(separator);
+  if (sign == std::string::npos) return std::nullopt;
+  const auto first = parse_number<Number>(std::string_view(text).substr(0, sign));
+  const auto second = parse_number<Number>(std::string_view(text).substr(sign + 1));
+  if (!first || !second) return std::nullopt;
+  return std::array<Number, 2>{*first, *second};
 }
 
 Axes axes_of(const BoundingBox& box, const View& view) {

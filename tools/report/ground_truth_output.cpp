@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/file_writer.h"
+#include "tools/files/csv.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
-#include "tools/files/rows.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -17,8 +17,8 @@ namespace {
 constexpr std::array<const char*, 3> ground_truth_names = {
     "ground-truth-regions.csv", "ground-truth-seeds.csv", "ground-truth.json"};
 
-Json spread_part(const Spread& spread) {
-  return {{"mean", spread.mean()}, {"max", spread.max()}};
+Json statistics_part(const Statistics& values) {
+  return {{"mean", values.mean()}, {"max", values.max()}};
 }
 
 void write_regions(const MeshGraph& mesh_graph, const JudgedPartition& judged, FileWriter& out) {
@@ -62,8 +62,8 @@ Json result_of(const StartArguments& arguments, const Start& start, const Judged
 }  // namespace
 
 std::string describe(const GroundTruth& truth) {
-  const Spread& edges = truth.distance_in_edges;
-  const Spread& radii = truth.distance_in_radii;
+  const Statistics& edges = truth.distance_in_edges;
+  const Statistics& radii = truth.distance_in_radii;
   std::string text =
       fmt::format("  {:<12}{:.2f}% of nodes, {:.2f}% of area, with the ground truth\n", "agreement",
                   100 * truth.node_agreement, 100 * truth.area_agreement);
@@ -84,8 +84,8 @@ Json ground_truth_part(const GroundTruth& truth) {
   return {{"node_agreement", truth.node_agreement},
           {"area_agreement", truth.area_agreement},
           {"unreached_nodes", truth.unreached_nodes},
-          {"distance_in_edges", spread_part(truth.distance_in_edges)},
-          {"distance_in_radii", spread_part(truth.distance_in_radii)},
+          {"distance_in_edges", statistics_part(truth.distance_in_edges)},
+          {"distance_in_radii", statistics_part(truth.distance_in_radii)},
           {"energy", truth.energy},
           {"energy_ratio_hexagonal", truth.energy / truth.hexagonal},
           {"graph_energy", truth.graph_energy},

@@ -8,11 +8,12 @@
 
 #include "core/base/loops.h"
 #include "geolloyd/errors.h"
+#include "tools/files/csv.h"
 #include "tools/files/output_folder.h"
-#include "tools/files/rows.h"
 #include "tools/render/labels.h"
 #include "tools/render/painters.h"
 #include "tools/render/picture.h"
+#include "tools/report/report_parts.h"
 #include "tools/run/checkpoint.h"
 #include "tools/run/frames.h"
 

@@ -122,6 +122,10 @@ Json backend_part(EngineKind engine, Backend backend) {
   return name_of(backend_names, backend);
 }
 
+std::string_view kind_of(const MeshGraph& mesh_graph, std::uint32_t input_id) {
+  return mesh_graph.is_triangle(input_id) ? "triangle" : "vertex";
+}
+
 Json number_or_null(std::optional<double> value) {
   return value ? Json(*value) : Json(nullptr);
 }

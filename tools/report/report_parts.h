@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/kernel_seconds.h"
 #include "core/graph/graph.h"
+#include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_topology.h"
 #include "tools/cli/relax_arguments.h"
@@ -28,6 +30,9 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
 /// The reference engine has neither frontier nor backend: null.
 Json frontier_part(EngineKind engine, Frontier frontier);
 Json backend_part(EngineKind engine, Backend backend);
+
+/// "vertex" or "triangle".
+std::string_view kind_of(const MeshGraph& mesh_graph, std::uint32_t input_id);
 
 /// Not a number: null.
 Json number_or_null(std::optional<double> value);

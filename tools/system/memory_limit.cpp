@@ -19,10 +19,10 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t large = 1'000'000'000;
 
-std::uint64_t limit = unlimited;
+std::uint64_t limit = no_limit;
 bool announced = false;
 std::uint64_t held_at_start = 0;
 std::size_t threads = 0;
@@ -74,7 +74,7 @@ void limit_data() {
   if (!data_at_start) data_at_start = data.rlim_cur;
   const std::uint64_t room = held_at_start + room_for_reserves();
   data.rlim_cur =
-      std::min<rlim_t>(limit < unlimited - room ? limit + room : RLIM_INFINITY, data.rlim_max);
+      std::min<rlim_t>(limit < no_limit - room ? limit + room : RLIM_INFINITY, data.rlim_max);
   setrlimit(RLIMIT_DATA, &data);
 }
 

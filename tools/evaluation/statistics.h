@@ -6,7 +6,7 @@
 namespace geolloyd {
 
 /// Smallest, mean and largest of some values.
-class Spread {
+class Statistics {
  public:
   void add(double value) {
     min_ = count_ == 0 ? value : std::min(min_, value);

@@ -1,0 +1,66 @@
+#include "tools/experiments/first_seeds.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/graph/components.h"
+#include "core/graph/mesh_graph.h"
+#include "core/seeds/seed_places.h"
+#include "core/seeds/seeds.h"
+#include "geolloyd/errors.h"
+#include "parallel/engine/parallel_growing_search.h"
+#include "tools/words/facts_text.h"
+
+namespace geolloyd {
+namespace {
+
+void check_count(std::size_t seeds, std::size_t triangles, std::size_t components) {
+  if (seeds < components) {
+    throw InvalidInput(fmt::format(
+        "{}: first seeds are chosen as triangles, and these are in {} parts that no edge "
+        "joins: each needs a seed",
+        counted(seeds, "seed", "seeds"), grouped(components)));
+  }
+  if (seeds > triangles) {
+    throw InvalidInput(fmt::format("{}: this mesh has only {} to choose first seeds from",
+                                   counted(seeds, "seed", "seeds"),
+                                   counted(triangles, "triangle", "triangles")));
+  }
+}
+
+// Before any work: are there enough vertices everywhere?
+void check_vertices(const std::vector<FirstSeeds>& all, const Mesh& mesh, const MeshEdges& edges,
+                    Scheduler& scheduler) {
+  const MeshGraph made = make_mesh_graph(mesh, edges, {}, scheduler);
+  for (const FirstSeeds& first : all) seeds_at_triangles(mesh, made, first.places);
+}
+
+}  // namespace
+
+std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
+                                           const std::vector<std::size_t>& counts,
+                                           std::size_t batches, const Mesh& mesh,
+                                           const MeshEdges& edges, Scheduler& scheduler) {
+  std::vector<FirstSeeds> all;
+  MeshGraphOptions options;
+  options.kind = GraphKind::triangle;
+  const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
+  const Components components = connected_components(made.graph);
+  for (const std::size_t count : counts) {
+    check_count(count, made.graph.node_count(), components.size());
+    for (std::size_t batch = 1; batch <= batches; ++batch) {
+      FirstSeeds first{count, batch, {}};
+      for (const NodeId s :
+           choose_seeds(made.graph, components, how.init, count, how.random_seed + batch - 1,
+                        *make_parallel_growing_search(scheduler, made.graph))) {
+        first.places.push_back(made.input_id[s]);
+      }
+      all.push_back(std::move(first));
+    }
+  }
+  check_vertices(all, mesh, edges, scheduler);
+  return all;
+}
+
+}  // namespace geolloyd

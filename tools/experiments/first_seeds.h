@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/mesh_edges.h"
+#include "parallel/threads/scheduler.h"
+#include "tools/cli/relax_arguments.h"
+
+namespace geolloyd {
+
+/// The first seeds of one batch, as triangles: all graphs of a mesh can begin with them.
+struct FirstSeeds {
+  std::size_t seeds;
+  std::size_t batch;  ///< from 1
+  std::vector<std::uint32_t> places;
+};
+
+/// For each number of seeds so many batches, each of them chosen on the triangle graph by a random
+/// seed of its own. Throws InvalidInput where a batch cannot have so many seeds in each graph.
+std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
+                                           const std::vector<std::size_t>& counts,
+                                           std::size_t batches, const Mesh& mesh,
+                                           const MeshEdges& edges, Scheduler& scheduler);
+
+}  // namespace geolloyd
