@@ -59,4 +59,10 @@ class Engine {
   [[nodiscard]] virtual const KernelSeconds& seconds() const = 0;
 };
 
+/// The partition of `seeds`, which lives until the engine works again.
+inline const Partition& partition_of(Engine& engine, std::span<const NodeId> seeds) {
+  engine.partition(seeds);
+  return engine.current();
+}
+
 }  // namespace geolloyd

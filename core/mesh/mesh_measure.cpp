@@ -1,5 +1,7 @@
 #include "core/mesh/mesh_measure.h"
 
+#include <algorithm>
+
 #include "core/base/loops.h"
 
 namespace geolloyd {
@@ -25,6 +27,11 @@ std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> trian
     for (const VertexId v : mesh.triangles[t]) areas[v] += triangle_area[t] / 3;
   }
   return areas;
+}
+
+double flatness(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
+  return longest > 0 ? norm(cross(b - a, c - a)) / (longest * longest) : 0;
 }
 
 Vec3 barycentre(const Mesh& mesh, TriangleId triangle) {

@@ -87,6 +87,32 @@ double triangle_quality(const Mesh& mesh, const Triangle& triangle) {
   return 6 / std::sqrt(3.0) * area / ((a + b + c) / 2 * std::max({a, b, c}));
 }
 
+std::size_t count_flat(const Mesh& mesh) {
+  constexpr double least_flatness = 1e-6;
+  const auto& p = mesh.positions;
+  return static_cast<std::size_t>(std::count_if(
+      mesh.triangles.begin(), mesh.triangles.end(),
+      [&](const Triangle& t) { return !(flatness(p[t[0]], p[t[1]], p[t[2]]) >= least_flatness); }));
+}
+
+std::size_t count_folds(const Mesh& mesh, const MeshEdges& edges) {
+  constexpr double cosine_150 = -0.8660254037844386;
+  const auto normal = [&mesh](CornerId corner) {
+    const auto& [a, b, c] = mesh.triangles[triangle_of(corner)];
+    const auto& p = mesh.positions;
+    return normalized(cross(p[b] - p[a], p[c] - p[a]));
+  };
+  std::size_t folds = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto corners = edges.corners(e);
+    if (corners.size() != 2) continue;
+    const bool is_consistent = edge_start(mesh, corners[0]) != edge_start(mesh, corners[1]);
+    const double cosine = dot(normal(corners[0]), normal(corners[1]));
+    if ((is_consistent ? cosine : -cosine) < cosine_150) ++folds;
+  }
+  return folds;
+}
+
 MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges) {
   MeshQuality quality;
   measure_triangles(mesh, quality);

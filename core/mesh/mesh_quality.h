@@ -16,6 +16,14 @@ double smallest_angle(const Mesh& mesh, const Triangle& triangle);
 /// the triangle is equilateral, 0 where it is without area or names a vertex twice.
 double triangle_quality(const Mesh& mesh, const Triangle& triangle);
 
+/// Triangles without area, but for rounding: those that name a vertex twice, and those lower than a
+/// millionth of their longest edge.
+std::size_t count_flat(const Mesh& mesh);
+
+/// Edges at which a surface turns back on itself: the normals of their two triangles, oriented
+/// alike, enclose more than 150 degrees. Triangles without area have no normal.
+std::size_t count_folds(const Mesh& mesh, const MeshEdges& edges);
+
 /// The figures by which remeshes are compared. Every triangle of the mesh counts, degenerate and
 /// duplicate ones as well. A vertex is inner where each of its edges, at least one, has exactly two
 /// triangles; its valence is the number of these edges. Without triangles, or without inner

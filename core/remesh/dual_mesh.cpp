@@ -160,7 +160,7 @@ class DualBuilder {
         dual_.triangles.push_back(regions_at(i));
         dual_.corner.push_back(i);
       }
-      if (first[0] != no_id && first[1] != no_id) ++dual_.folded;
+      if (first[0] != no_id && first[1] != no_id) ++dual_.back_to_back;
       for (const RegionId r : corners.front().regions) shapes_[r].has_corner = true;
     });
   }

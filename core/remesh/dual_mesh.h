@@ -38,7 +38,7 @@ struct DualMesh {
   std::vector<Triangle> triangles;    ///< of regions; each different
   std::vector<std::uint32_t> corner;  ///< per triangle: the surface's triangle it came from
   std::size_t repeated = 0;           ///< corners left out because their triangle was there
-  std::size_t folded = 0;             ///< triangles that lie on another of opposite orientation
+  std::size_t back_to_back = 0;       ///< triangles that lie on another of opposite orientation
   std::vector<ClosedBallViolation> violations;  ///< by kind, then regions ascending
 };
 

@@ -8,6 +8,8 @@
 #include <span>
 #include <tuple>
 
+#include "core/mesh/mesh_measure.h"
+
 namespace geolloyd {
 namespace {
 
@@ -95,11 +97,11 @@ class PlaceRepair {
   }
 
   [[nodiscard]] bool is_to_mend(std::size_t t) const {
-    const double flat = flatness(t);
+    const double flat = flatness_of(t);
     return std::abs(flat) < no_flatness || (flat < least_flatness && is_all_outer(t));
   }
 
-  [[nodiscard]] double flatness(std::size_t t) const {
+  [[nodiscard]] double flatness_of(std::size_t t) const {
     return signed_flatness(mesh_, surface_, dual_, t, place_);
   }
 
@@ -107,7 +109,7 @@ class PlaceRepair {
     Flaws flaws;
     if (is_shared(place_[r])) ++flaws.count;
     for (const auto& [region, triangle] : of_region(triangles_at_, r)) {
-      const double flat = flatness(triangle);
+      const double flat = flatness_of(triangle);
       if (flat < least_flatness) ++flaws.count;
       flaws.flattest = std::min(flaws.flattest, flat);
     }
@@ -182,12 +184,9 @@ double signed_flatness(const Mesh& mesh, const RegionSurface& surface, const Dua
   const auto& [a, b, c] = dual.triangles[triangle];
   const Triangle& corner = surface.triangles[dual.corner[triangle]];
   const auto at = [&](std::size_t i) { return surface.position(mesh, corner[i]); };
+  const double flat = flatness(place[a], place[b], place[c]);
   const Vec3 normal = cross(place[b] - place[a], place[c] - place[a]);
-  const double longest =
-      std::max({norm(place[a] - place[b]), norm(place[b] - place[c]), norm(place[c] - place[a])});
-  if (!(longest > 0)) return 0;
-  const double flatness = norm(normal) / (longest * longest);
-  return dot(normal, cross(at(1) - at(0), at(2) - at(0))) < 0 ? -flatness : flatness;
+  return dot(normal, cross(at(1) - at(0), at(2) - at(0))) < 0 ? -flat : flat;
 }
 
 void repair_places(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,

@@ -26,8 +26,8 @@ struct PlaceChoices {
 void repair_places(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
                    const PlaceChoices& choices, std::vector<Vec3>& place);
 
-/// Height of the triangle of the dual over its longest edge, divided by that edge; negative where
-/// it faces away from the surface at the corner it stands for.
+/// Flatness (mesh_measure.h) of a triangle of the dual; negative where it faces away from the
+/// surface at the corner it stands for.
 double signed_flatness(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
                        std::size_t triangle, const std::vector<Vec3>& place);
 

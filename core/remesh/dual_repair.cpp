@@ -10,21 +10,17 @@ namespace {
 
 class RepairedDual {
  public:
-  RepairedDual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
-               DualisedSeeds flawed, const std::function<bool()>& keep_going)
-      : mesh_graph_(mesh_graph),
-        engine_(engine),
-        dualise_(dualise),
-        result_(std::move(flawed)),
-        keep_going_(keep_going) {}
+  RepairedDual(const DualInput& input, Engine& engine, DualisedSeeds flawed,
+               const std::function<bool()>& keep_going)
+      : input_(input), engine_(engine), result_(std::move(flawed)), keep_going_(keep_going) {}
 
   DualisedSeeds run() {
     const std::size_t given = result_.seeds.size();
-    const std::size_t most =
-        given + (is_input_manifold() ? mesh_graph_.graph.node_count() : most_seeds_added(given));
+    const std::size_t most = given + (is_input_manifold() ? input_.mesh_graph.graph.node_count()
+                                                          : most_seeds_added(given));
     while (any_removable(result_.dual.violations) && keep_going_()) {
       if (!add_seeds(most)) break;
-      dualise_seeds();
+      result_ = dualise_again(std::move(result_.seeds));
     }
     if (result_.seeds.size() > given && !any_removable(result_.dual.violations)) settle(given);
     return std::move(result_);
@@ -37,9 +33,9 @@ class RepairedDual {
                         [](const IrregularEdge& edge) { return edge.triangles > 2; });
   }
 
-  void dualise_seeds() {
-    engine_.partition(result_.seeds);
-    result_ = dualise_(std::move(result_.seeds));
+  [[nodiscard]] DualisedSeeds dualise_again(std::vector<NodeId> seeds) {
+    const Partition& partition = partition_of(engine_, seeds);
+    return dualise(input_, partition, std::move(seeds));
   }
 
   // Those of one violation, but no two violations that concern the same region: one seed may mend
@@ -47,7 +43,7 @@ class RepairedDual {
   bool add_seeds(std::size_t most) {
     constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
     std::vector<std::array<RegionId, 3>> taken_by(result_.seeds.size(), nobody);
-    std::vector<bool> is_added(mesh_graph_.graph.node_count(), false);
+    std::vector<bool> is_added(input_.mesh_graph.graph.node_count(), false);
     for (const SeedInsertion& insertion : find_seed_insertions(result_.surface, result_.dual)) {
       if (result_.seeds.size() == most) break;
       const auto is_open = [&](RegionId r) {
@@ -57,7 +53,7 @@ class RepairedDual {
       for (const RegionId r : insertion.regions) {
         if (r != no_id) taken_by[r] = insertion.regions;
       }
-      const NodeId node = node_at(mesh_graph_, result_.surface.vertex_count, insertion.point);
+      const NodeId node = node_at(input_.mesh_graph, result_.surface.vertex_count, insertion.point);
       if (!is_added[node]) result_.seeds.push_back(node);
       is_added[node] = true;
     }
@@ -68,15 +64,15 @@ class RepairedDual {
   // centroids of their regions. Seeds whose moving brings violations back stay.
   void settle(std::size_t first_new) {
     constexpr int attempts = 4;
-    std::vector<std::uint8_t> keeps_seed = far_from(first_new);
+    std::vector<std::uint8_t> keeps_seed;
     for (int attempt = 0; attempt < attempts && keep_going_(); ++attempt) {
+      const Partition& partition = partition_of(engine_, result_.seeds);
+      if (attempt == 0) keeps_seed = far_from(first_new, partition);
       std::vector<NodeId> moved = result_.seeds;
-      engine_.partition(moved);
       engine_.macrostep(moved, {keeps_seed, true, true},
                         [this](std::uint32_t) { return keep_going_(); });
       if (moved == result_.seeds) return;
-      engine_.partition(moved);
-      DualisedSeeds settled = dualise_(std::move(moved));
+      DualisedSeeds settled = dualise_again(std::move(moved));
       if (!any_removable(settled.dual.violations) &&
           settled.dual.violations.size() <= result_.dual.violations.size()) {
         result_ = std::move(settled);
@@ -91,10 +87,11 @@ class RepairedDual {
   }
 
   // Large regions stay as well: their seeds would go a long way, and each step is a search.
-  [[nodiscard]] std::vector<std::uint8_t> far_from(std::size_t first_new) const {
-    const Graph& graph = mesh_graph_.graph;
+  [[nodiscard]] std::vector<std::uint8_t> far_from(std::size_t first_new,
+                                                   const Partition& partition) const {
+    const Graph& graph = input_.mesh_graph.graph;
     constexpr std::size_t most_nodes = 1 << 13;
-    const std::vector<Key>& key = engine_.current().key;
+    const std::vector<Key>& key = partition.key;
     std::vector<std::size_t> nodes(result_.seeds.size(), 0);
     for (const Key k : key) {
       if (k != unreached) ++nodes[region_of(k)];
@@ -111,20 +108,20 @@ class RepairedDual {
     return keeps_seed;
   }
 
-  const MeshGraph& mesh_graph_;
+  const DualInput& input_;
   Engine& engine_;
-  const Dualise& dualise_;
   DualisedSeeds result_;
   const std::function<bool()>& keep_going_;
 };
 
 }  // namespace
 
-DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                      const Partition& partition, std::vector<NodeId> seeds) {
+DualisedSeeds dualise(const DualInput& input, const Partition& partition,
+                      std::vector<NodeId> seeds) {
   DualisedSeeds result{std::move(seeds), {}, {}};
-  result.surface = make_region_surface(mesh, edges, mesh_graph, partition, result.seeds.size());
-  result.dual = make_dual(result.surface);
+  result.surface = make_region_surface(input.mesh, input.edges, input.mesh_graph, partition,
+                                       result.seeds.size());
+  result.dual = make_dual(result.surface, input.executor);
   return result;
 }
 
@@ -132,9 +129,9 @@ std::size_t most_seeds_added(std::size_t regions) {
   return 2 * regions + 64;
 }
 
-DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
-                          DualisedSeeds flawed, const std::function<bool()>& keep_going) {
-  return RepairedDual(mesh_graph, engine, dualise, std::move(flawed), keep_going).run();
+DualisedSeeds repair_dual(const DualInput& input, Engine& engine, DualisedSeeds flawed,
+                          const std::function<bool()>& keep_going) {
+  return RepairedDual(input, engine, std::move(flawed), keep_going).run();
 }
 
 }  // namespace geolloyd

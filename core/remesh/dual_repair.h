@@ -4,9 +4,12 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/remesh/dual_mesh.h"
+#include "core/voronoi/partition.h"
 
 namespace geolloyd {
 
@@ -17,12 +20,17 @@ struct DualisedSeeds {
   DualMesh dual;
 };
 
-/// `partition` is that of `seeds`, regions free.
-DualisedSeeds dualise(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& mesh_graph,
-                      const Partition& partition, std::vector<NodeId> seeds);
+/// What duals are made from.
+struct DualInput {
+  const Mesh& mesh;
+  const MeshEdges& edges;
+  const MeshGraph& mesh_graph;
+  Executor& executor = sequential();
+};
 
-/// What dualise() gives for seeds whose partition the engine has just found.
-using Dualise = std::function<DualisedSeeds(std::vector<NodeId> seeds)>;
+/// `partition` is that of `seeds`, regions free.
+DualisedSeeds dualise(const DualInput& input, const Partition& partition,
+                      std::vector<NodeId> seeds);
 
 /// How many seeds repair_dual adds at most to so many regions of a mesh with edges of three and
 /// more triangles: two for each region, so that loose triangles become triangles, and 64.
@@ -33,9 +41,9 @@ std::size_t most_seeds_added(std::size_t regions);
 /// triangles at most, the nodes are the only bound, and where there are enough of them no violation
 /// is left. On others most_seeds_added() is the bound. Then the added seeds and those around them
 /// move toward the centroids of their regions, as far as no violation comes back. The seeds that
-/// were there stay the first ones, in their order. `engine` works on mesh_graph's graph;
+/// were there stay the first ones, in their order. `engine` works on the input's graph;
 /// `keep_going` is asked now and then, and ends it with what it has come to.
-DualisedSeeds repair_dual(const MeshGraph& mesh_graph, Engine& engine, const Dualise& dualise,
-                          DualisedSeeds flawed, const std::function<bool()>& keep_going);
+DualisedSeeds repair_dual(const DualInput& input, Engine& engine, DualisedSeeds flawed,
+                          const std::function<bool()>& keep_going);
 
 }  // namespace geolloyd

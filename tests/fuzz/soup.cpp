@@ -49,7 +49,7 @@ bool same_dual(const DualMesh& a, const DualMesh& b) {
     return true;
   };
   return same_bytes(a.triangles, b.triangles) && same_bytes(a.corner, b.corner) &&
-         a.repeated == b.repeated && a.folded == b.folded &&
+         a.repeated == b.repeated && a.back_to_back == b.back_to_back &&
          a.violations.size() == b.violations.size() && same_violations();
 }
 
@@ -151,20 +151,15 @@ void require_quality(const Mesh& remesh) {
 // The dual as it is, then with seeds added.
 void remesh(const Soup& soup, const MeshEdges& edges, const MeshGraph& made, Engine& engine,
             Scheduler& scheduler, const std::vector<NodeId>& seeds) {
-  const Dualise dualise_current = [&](std::vector<NodeId> some) {
-    DualisedSeeds dualised = dualise(soup.mesh, edges, made, engine.current(), std::move(some));
-    require(same_dual(dualised.dual, make_dual(dualised.surface, scheduler)),
-            "twins make the same dual");
-    return dualised;
-  };
-  engine.partition(seeds);
-  const DualisedSeeds first = dualise_current(seeds);
-  const DualisedSeeds repaired =
-      repair_dual(made, engine, dualise_current, first, [] { return true; });
+  const DualInput input{soup.mesh, edges, made, scheduler};
+  const DualisedSeeds first = dualise(input, partition_of(engine, seeds), seeds);
+  const DualisedSeeds repaired = repair_dual(input, engine, first, [] { return true; });
   require(std::equal(seeds.begin(), seeds.end(), repaired.seeds.begin()) ||
               repaired.seeds.size() > seeds.size(),
           "seeds only move where others are added");
   for (const DualisedSeeds* dualised : {&first, &repaired}) {
+    require(same_dual(dualised->dual, make_dual(dualised->surface)),
+            "the dual is the same by one thread");
     require_sound(*dualised, made.graph.node_count());
     const Mesh remesh{place_dual(soup.mesh, dualised->surface, dualised->dual,
                                  positions_of(made, dualised->seeds)),

@@ -166,5 +166,35 @@ TEST(MeshQuality, StandsBesideTheTopologyOfTheCheck) {
   EXPECT_EQ(measure_quality(mesh, edges).inner_vertices, mesh.vertex_count());
 }
 
+// Two triangles at the edge from (0, 0, 0) to (1, 0, 0), the second turned away from lying flat.
+Mesh hinge(double turn_in_degrees) {
+  const double turn = turn_in_degrees / degrees(1);
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -std::cos(turn), std::sin(turn)}},
+          {{0, 1, 2}, {1, 0, 3}}};
+}
+
+TEST(Folds, AreEdgesTurnedByMoreThan150Degrees) {
+  const auto folds_of = [](const Mesh& mesh) { return count_folds(mesh, find_edges(mesh)); };
+  for (const double turn : {0.0, 90.0, 149.0}) EXPECT_EQ(folds_of(hinge(turn)), 0U) << turn;
+  for (const double turn : {151.0, 180.0, -151.0}) EXPECT_EQ(folds_of(hinge(turn)), 1U) << turn;
+  Mesh turned = hinge(151);
+  std::swap(turned.triangles[1][0], turned.triangles[1][1]);  // whatever the orientation
+  EXPECT_EQ(folds_of(turned), 1U);
+  EXPECT_EQ(folds_of(torus(1000, 1)), 0U);
+}
+
+TEST(Folds, NeedTrianglesWithArea) {
+  Mesh flat = hinge(180);
+  flat.positions[3] = {0.5, 0, 0};
+  EXPECT_EQ(count_folds(flat, find_edges(flat)), 0U);
+  EXPECT_EQ(count_flat(flat), 1U);
+  flat.positions[3] = {0.5, -1e-7, 0};
+  EXPECT_EQ(count_flat(flat), 1U);
+  flat.positions[3] = {0.5, -1e-5, 0};
+  EXPECT_EQ(count_flat(flat), 0U);
+  flat.triangles.push_back({1, 1, 2});
+  EXPECT_EQ(count_flat(flat), 1U);
+}
+
 }  // namespace
 }  // namespace geolloyd

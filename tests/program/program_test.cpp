@@ -9,6 +9,7 @@
 
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/shapes/shapes.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
@@ -77,7 +78,10 @@ TEST_F(Program, RemeshIsAManifoldOfTheInputsTopology) {
     const nlohmann::json told = report_in(out())["remesh"];
     EXPECT_EQ(told["vertices"], remesh.vertex_count());
     EXPECT_EQ(told["seeds_added"], remesh.vertex_count() - 2);
-    EXPECT_EQ(told["is_manifold_of_input_topology"], true);
+    EXPECT_EQ(told["is_manifold"], true);
+    EXPECT_EQ(told["has_input_topology"], true);
+    EXPECT_EQ(told["input_is_manifold"], true);
+    EXPECT_EQ(told["triangles_without_area"], 0);
     EXPECT_EQ(told["topology"], told["input_topology"]);
     EXPECT_TRUE(told["flaw"].is_null());
   }
@@ -88,10 +92,48 @@ TEST_F(Program, TellsWhyTheRemeshIsNoManifold) {
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("NO MANIFOLD"), std::string::npos) << outcome.text;
   const nlohmann::json told = report_in(out())["remesh"];
-  EXPECT_EQ(told["is_manifold_of_input_topology"], false);
+  EXPECT_NE(outcome.text.find("NOT OF THE INPUT'S TOPOLOGY"), std::string::npos) << outcome.text;
+  EXPECT_EQ(told["is_manifold"], false);
+  EXPECT_EQ(told["has_input_topology"], false);
+  EXPECT_EQ(told["input_is_manifold"], true);
   EXPECT_NE(told["flaw"].get<std::string>().find("--no-manifold"), std::string::npos);
   EXPECT_EQ(told["closed_ball_violations_found"], told["closed_ball_violations_left"]);
   EXPECT_EQ(read_mesh(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
+}
+
+// Two spheres that touch in a vertex: of the input's topology, but neither is a manifold.
+TEST_F(Program, TellsApartAManifoldAndTheTopologyOfTheInput) {
+  Mesh touching = icosphere(320);
+  const auto shift = static_cast<VertexId>(touching.vertex_count());
+  const Mesh other = touching;
+  for (const Vec3& p : other.positions) {
+    touching.positions.push_back(2 * other.positions[0] - p);
+  }
+  for (const Triangle& t : other.triangles) {
+    Triangle copy{};
+    for (std::size_t c = 0; c < 3; ++c) copy[2 - c] = t[c] == 0 ? 0 : t[c] + shift;
+    touching.triangles.push_back(copy);
+  }
+  const auto file = folder_.path() / "touching.ply";
+  write_mesh(file, touching);
+  const Outcome outcome =
+      geolloyd_with("relax " + file.string() + " --seeds 40 -o " + out().string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("the input is no manifold"), std::string::npos) << outcome.text;
+  const nlohmann::json told = report_in(out())["remesh"];
+  EXPECT_EQ(told["is_manifold"], false);
+  EXPECT_EQ(told["has_input_topology"], true);
+  EXPECT_EQ(told["input_is_manifold"], false);
+
+  const Outcome informed = geolloyd_with("info " + file.string());
+  EXPECT_NE(informed.text.find("1 vertex where surfaces touch"), std::string::npos)
+      << informed.text;
+  const nlohmann::json facts =
+      nlohmann::json::parse(geolloyd_with("info --json " + file.string()).text);
+  EXPECT_EQ(facts["non_manifold_vertices"], 1);
+  EXPECT_EQ(facts["boundary_loops"], 0);
+  EXPECT_EQ(facts["is_manifold"], false);
+  EXPECT_EQ(facts["triangles"], touching.triangle_count());
 }
 
 // Sums over seeds.csv and regions.csv agree with each other and with the report.

@@ -118,7 +118,7 @@ TEST(Dual, NamesTheViolationsOfTooFewSeedsOnASphere) {
   EXPECT_EQ(count(dual.violations, ViolationKind::triple), 1U);
   EXPECT_EQ(dual.violations.size(), 1U);
   EXPECT_EQ(dual.triangles.size(), 2U);
-  EXPECT_EQ(dual.folded, 1U);
+  EXPECT_EQ(dual.back_to_back, 1U);
 }
 
 TEST(Dual, WithoutViolationsIsTheSurfaceOverAgain) {
@@ -131,7 +131,7 @@ TEST(Dual, WithoutViolationsIsTheSurfaceOverAgain) {
         const DualisedSeeds dualised = ground.dualise(ground.choose(seeds, random_seed));
         if (!dualised.dual.violations.empty()) continue;
         ++clear;
-        EXPECT_EQ(dualised.dual.repeated + dualised.dual.folded, 0U);
+        EXPECT_EQ(dualised.dual.repeated + dualised.dual.back_to_back, 0U);
         expect_same_topology(ground.remesh(dualised), mesh);
       }
     }

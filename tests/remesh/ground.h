@@ -31,14 +31,12 @@ struct Ground {
   }
 
   DualisedSeeds dualise(const std::vector<NodeId>& seeds) {
-    engine->partition(seeds);
-    return geolloyd::dualise(mesh, edges, mesh_graph, engine->current(), seeds);
+    return geolloyd::dualise({mesh, edges, mesh_graph}, partition_of(*engine, seeds), seeds);
   }
 
   DualisedSeeds repair(const std::vector<NodeId>& seeds, bool keeps_going = true) {
-    return repair_dual(
-        mesh_graph, *engine, [this](const std::vector<NodeId>& others) { return dualise(others); },
-        dualise(seeds), [keeps_going] { return keeps_going; });
+    return repair_dual({mesh, edges, mesh_graph}, *engine, dualise(seeds),
+                       [keeps_going] { return keeps_going; });
   }
 
   [[nodiscard]] Mesh remesh(const DualisedSeeds& dualised) const {

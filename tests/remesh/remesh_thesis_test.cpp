@@ -87,11 +87,9 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
                              count, 1, *make_parallel_growing_search(scheduler, made.graph)),
                 options)
               .seeds;
-      const auto dualise_current = [&](std::vector<NodeId> some) {
-        return dualise(mesh, edges, made, engine->current(), std::move(some));
-      };
-      const DualisedSeeds repaired =
-          repair_dual(made, *engine, dualise_current, dualise_current(seeds), [] { return true; });
+      const DualInput input{mesh, edges, made, scheduler};
+      const DualisedSeeds repaired = repair_dual(
+          input, *engine, dualise(input, partition_of(*engine, seeds), seeds), [] { return true; });
       EXPECT_TRUE(repaired.dual.violations.empty());
       EXPECT_EQ(count_broken_vertices(repaired.dual.triangles), wanted.non_manifold_vertices);
       const Mesh remesh{std::vector<Vec3>(repaired.seeds.size(), Vec3::Zero()),

@@ -3,27 +3,53 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_topology.h"
 #include "tools/commands/commands.h"
+#include "tools/report/report_parts.h"
 #include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
+namespace {
+
+struct InfoArguments {
+  std::filesystem::path mesh;
+  bool json = false;
+};
+
+void run_info(const InfoArguments& arguments) {
+  Input input{arguments.mesh, read_within_limits(arguments.mesh), {}};
+  announce_memory(arguments.mesh.string(),
+                  memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
+  const MeshEdges edges = find_edges(input.mesh());
+  input.facts = check_mesh(input.mesh(), edges);
+  const MeshTopology topology = find_topology(input.mesh(), edges);
+  if (arguments.json) {
+    Json facts = mesh_part(input);
+    facts.update(topology_part(topology));
+    facts["is_manifold"] = topology.is_manifold();
+    fmt::print("{}", json_text(facts));
+    return;
+  }
+  fmt::print("{}\n{}  {:<12}{}\n", arguments.mesh.string(), describe(input.loaded, input.facts),
+             "topology", describe(topology));
+}
+
+}  // namespace
 
 void add_info_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("info", "Say what a mesh is like");
-  const auto path = std::make_shared<std::filesystem::path>();
-  command->add_option("MESH", *path, "PLY, OBJ, OFF or STL file")->type_name("")->required();
-  command->callback([path] {
-    const LoadedMesh input = read_within_limits(*path);
-    announce_memory(path->string(),
-                    memory_to_check(input.mesh.vertex_count(), input.mesh.triangle_count()));
-    fmt::print("{}\n{}", path->string(),
-               describe(input, check_mesh(input.mesh, find_edges(input.mesh))));
-  });
+  CLI::App* command = program.add_subcommand("info", "Print mesh statistics");
+  const auto arguments = std::make_shared<InfoArguments>();
+  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
+  command->add_flag("--json", arguments->json, "Print them as JSON, for scripts");
+  command->callback([arguments] { run_info(*arguments); });
 }
 
 }  // namespace geolloyd

@@ -12,6 +12,7 @@
 #include "tools/commands/commands.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/relax_output.h"
+#include "tools/report/remesh_output.h"
 #include "tools/report/report.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/result.h"
@@ -47,24 +48,6 @@ void print_regions(const Result& result) {
       "{:.3g}, smallest {:.3g}\n",
       "regions", areas.smallest, areas.largest, areas.deviation, result.remesh.roundness.mean,
       result.remesh.roundness.min);
-}
-
-void print_remesh(const Remesh& remesh) {
-  fmt::print("  {:<12}{}, {}, Euler characteristic {}, {}\n", "remesh",
-             counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
-             counted(remesh.mesh.triangle_count(), "triangle", "triangles"),
-             remesh.topology.total().euler_characteristic, describe(remesh.topology));
-  if (remesh.seeds_added > 0) {
-    fmt::print("  {:<12}{} added where regions did not meet as they should\n", "",
-               counted(remesh.seeds_added, "seed", "seeds"));
-  }
-  if (remesh.flipped > 0) {
-    fmt::print("  {:<12}{} from the surface\n", "",
-               counted(remesh.flipped, "triangle faces away", "triangles face away"));
-  }
-  if (!remesh.flaw.empty()) {
-    fmt::print("  {:<12}NO MANIFOLD of the input's topology: {}\n", "", remesh.flaw);
-  }
 }
 
 void print_start(const RelaxArguments& arguments, const Start& start) {
@@ -124,7 +107,7 @@ void print_summary(const RelaxArguments& arguments, const Start& start, const Re
   print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
   if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
   print_regions(result);
-  print_remesh(result.remesh);
+  fmt::print("{}", describe(result.remesh));
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
   print_cost(start.seconds, result, cost);
   print_files(arguments, result.relaxation.steps.size());
@@ -189,8 +172,9 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
   }
   progress.stage("making the remesh");
   const Stopwatch watch;
-  result.remesh = make_remesh({mesh, start.mesh_graph, relaxation.seeds, *ended.engine},
-                              {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
+  result.remesh = make_remesh(
+      {mesh, start.mesh_graph, relaxation.seeds, relaxation.partition, *ended.engine, scheduler},
+      {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
   cost.remesh_seconds = watch.seconds();
   return result;
 }

@@ -88,9 +88,9 @@ class Renderer {
 
   Pixels draw(PanelKind kind, const Scene& scene) {
     if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
-    found_.engine->partition(start_.seeds);
     const Remesh remesh =
-        make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, *found_.engine},
+        make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
+                     *found_.engine, scheduler_},
                     {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
     const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
     return to_pixels(other, paint_mesh(other, scheduler_), scheduler_);

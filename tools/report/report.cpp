@@ -4,6 +4,7 @@
 
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/report/ground_truth_output.h"
+#include "tools/report/remesh_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
 #include "tools/words/names.h"
@@ -43,29 +44,6 @@ Json trace_part(const Relaxation& relaxation) {
     trace.push_back(std::move(entry));
   }
   return trace;
-}
-
-Json violations_part(std::span<const ClosedBallViolation> violations) {
-  return {{"regions_not_discs", count(violations, ViolationKind::region)},
-          {"contacts_not_curves", count(violations, ViolationKind::contact)},
-          {"triples_with_several_corners", count(violations, ViolationKind::triple)},
-          {"regions_without_corner", count(violations, ViolationKind::isolation)}};
-}
-
-Json remesh_part(const Remesh& remesh) {
-  return {{"vertices", remesh.mesh.vertex_count()},
-          {"triangles", remesh.mesh.triangle_count()},
-          {"seeds_added", remesh.seeds_added},
-          {"reassigned_points", remesh.reassigned_points},
-          {"is_manifold_of_input_topology", remesh.flaw.empty()},
-          {"flaw", remesh.flaw.empty() ? Json(nullptr) : Json(remesh.flaw)},
-          {"topology", topology_part(remesh.topology)},
-          {"input_topology", topology_part(remesh.input_topology)},
-          {"repeated_triangles", remesh.repeated},
-          {"folded_triangles", remesh.folded},
-          {"flipped_triangles", remesh.flipped},
-          {"closed_ball_violations_found", violations_part(remesh.violations_found)},
-          {"closed_ball_violations_left", violations_part(remesh.violations_left)}};
 }
 
 Json options_part(const RelaxArguments& a, const Result& result) {
