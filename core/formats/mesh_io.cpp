@@ -10,7 +10,7 @@
 namespace geolloyd {
 namespace {
 
-LoadedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name) {
+ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name) {
   switch (format) {
     case MeshFormat::ply:
       return read_ply(bytes, name);
@@ -63,10 +63,11 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
   if (bytes.starts_with("\x1f\x8b\x08"))
     fail_at_byte(name, 0, "the file is compressed; gunzip it first");
-  LoadedMesh loaded = parse_as(format, bytes, name);
+  ParsedMesh loaded = parse_as(format, bytes, name);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
-  return loaded;
+  triangulate_concave(loaded.mesh, loaded.fans);
+  return static_cast<LoadedMesh&&>(loaded);
 }
 
 MeshFormat format_of(const std::filesystem::path& path) {
@@ -131,7 +132,7 @@ Vec3 read_position(TextCursor& text) {
 }
 
 void read_polygon(TextCursor& text, std::size_t vertex_count, std::vector<VertexId>& corners,
-                  LoadedMesh& loaded) {
+                  ParsedMesh& loaded) {
   const std::int64_t count = text.integer("the number of corners of a face");
   if (count < 3) text.fail(bad_corner_count(count));
   corners.clear();

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/formats/mesh_io.h"
+#include "core/formats/polygons.h"
 #include "core/text/text_cursor.h"
 
 namespace geolloyd {
@@ -25,15 +26,20 @@ enum class MeshFormat { ply, obj, off, stl };
 /// Told by the extension; throws InvalidInput where it is none of ours.
 MeshFormat format_of(const std::filesystem::path& path);
 
+/// What a reader finds: polygons are fans yet, as their vertices may come after them.
+struct ParsedMesh : LoadedMesh {
+  std::vector<PolygonFan> fans;  ///< of the faces of four and more corners
+};
+
 /// What read_mesh makes of a file that holds `bytes`; `name` opens every message.
 LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name);
 
 /// One reader per format: `bytes` is the whole file, `name` opens every message. Coordinates of the
 /// result are usable and its indices in range; it may still be empty.
-LoadedMesh read_ply(std::string_view bytes, std::string_view name);
-LoadedMesh read_obj(std::string_view bytes, std::string_view name);
-LoadedMesh read_off(std::string_view bytes, std::string_view name);
-LoadedMesh read_stl(std::string_view bytes, std::string_view name);
+ParsedMesh read_ply(std::string_view bytes, std::string_view name);
+ParsedMesh read_obj(std::string_view bytes, std::string_view name);
+ParsedMesh read_off(std::string_view bytes, std::string_view name);
+ParsedMesh read_stl(std::string_view bytes, std::string_view name);
 
 /// Throws InvalidInput "NAME: byte OFFSET: MESSAGE".
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t offset,
@@ -57,8 +63,12 @@ double parse_coordinate(const TextCursor& text, std::string_view word);
 Vec3 read_position(TextCursor& text);
 
 /// Appends a polygon as a fan around its first corner.
-inline void add_polygon(LoadedMesh& loaded, std::span<const VertexId> corners) {
-  if (corners.size() > 3) ++loaded.polygon_count;
+inline void add_polygon(ParsedMesh& loaded, std::span<const VertexId> corners) {
+  if (corners.size() > 3) {
+    ++loaded.polygon_count;
+    loaded.fans.push_back({static_cast<std::uint32_t>(loaded.mesh.triangles.size()),
+                           static_cast<std::uint32_t>(corners.size() - 2)});
+  }
   for (std::size_t i = 2; i < corners.size(); ++i) {
     loaded.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
   }
@@ -66,7 +76,7 @@ inline void add_polygon(LoadedMesh& loaded, std::span<const VertexId> corners) {
 
 /// Reads "n i_1 ... i_n", zero-based, and appends the polygon. `corners` is room to work in.
 void read_polygon(TextCursor& text, std::size_t vertex_count, std::vector<VertexId>& corners,
-                  LoadedMesh& loaded);
+                  ParsedMesh& loaded);
 
 /// The number whose bytes lie at `bytes` in the given order.
 template <class Number>

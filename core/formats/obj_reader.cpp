@@ -9,7 +9,7 @@ class ObjReader {
  public:
   ObjReader(std::string_view bytes, std::string_view name) : text_(bytes, name), name_(name) {}
 
-  LoadedMesh read() {
+  ParsedMesh read() {
     loaded_.format = "OBJ";
     for (; !text_.at_end(); text_.next_line()) {
       const std::string_view keyword = text_.word();
@@ -77,7 +77,7 @@ class ObjReader {
 
   TextCursor text_;
   std::string_view name_;
-  LoadedMesh loaded_;
+  ParsedMesh loaded_;
   std::vector<VertexId> corners_;
   std::int64_t highest_ = -1;
   std::size_t line_of_highest_ = 0;
@@ -85,7 +85,7 @@ class ObjReader {
 
 }  // namespace
 
-LoadedMesh read_obj(std::string_view bytes, std::string_view name) {
+ParsedMesh read_obj(std::string_view bytes, std::string_view name) {
   return ObjReader(bytes, name).read();
 }
 

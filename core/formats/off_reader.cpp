@@ -38,9 +38,9 @@ void next_item(TextCursor& text, std::string_view what, std::int64_t done, std::
 
 }  // namespace
 
-LoadedMesh read_off(std::string_view bytes, std::string_view name) {
+ParsedMesh read_off(std::string_view bytes, std::string_view name) {
   TextCursor text(bytes, name);
-  LoadedMesh loaded;
+  ParsedMesh loaded;
   loaded.format = "OFF";
   read_keyword(text);
   const std::string_view word = first_count(text);

@@ -118,7 +118,7 @@ class BinaryBody {
 };
 
 // One pass per coordinate, so that their types need not agree.
-void read_vertices(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
+void read_vertices(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& vertex = header.elements[header.vertex];
   std::vector<Vec3>& positions = loaded.mesh.positions;
   positions.resize(vertex.count);
@@ -138,7 +138,7 @@ void read_vertices(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded
 }
 
 template <class Count, class Index>
-void read_faces(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
+void read_faces(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& face = header.elements[header.face];
   const std::size_t vertex_count = header.elements[header.vertex].count;
   const std::size_t triangle_row_size = least_row_size(face) + 3 * sizeof(Index);
@@ -161,7 +161,7 @@ void read_faces(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
   });
 }
 
-void read_faces(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
+void read_faces(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyProperty& list = header.elements[header.face].properties[header.corners];
   std::visit(
       [&](auto count, auto index) {
@@ -178,7 +178,7 @@ void check_ids(const Body& in, const PlyHeader& header, std::size_t element) {
   if (!ids_suffice(vertices, faces)) in.fail(too_many(vertices, faces));
 }
 
-void read_binary(BinaryBody& body, const PlyHeader& header, LoadedMesh& loaded) {
+void read_binary(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     body.check_count(header.elements[i]);
     check_ids(body, header, i);
@@ -215,7 +215,7 @@ void for_each_value(TextCursor& text, const PlyElement& element, Visit visit) {
   }
 }
 
-void read_ascii_vertices(TextCursor& text, const PlyHeader& header, LoadedMesh& loaded) {
+void read_ascii_vertices(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& vertex = header.elements[header.vertex];
   const auto& coordinates = header.coordinates;
   loaded.mesh.positions.resize(vertex.count);
@@ -226,7 +226,7 @@ void read_ascii_vertices(TextCursor& text, const PlyHeader& header, LoadedMesh& 
   });
 }
 
-void read_ascii_faces(TextCursor& text, const PlyHeader& header, LoadedMesh& loaded) {
+void read_ascii_faces(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& face = header.elements[header.face];
   std::vector<VertexId> corners;
   for_each_value(text, face, [&](std::size_t, std::size_t property) {
@@ -235,7 +235,7 @@ void read_ascii_faces(TextCursor& text, const PlyHeader& header, LoadedMesh& loa
   });
 }
 
-void read_ascii(TextCursor& text, const PlyHeader& header, LoadedMesh& loaded) {
+void read_ascii(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     const PlyElement& element = header.elements[i];
     check_line_count(text, static_cast<std::int64_t>(element.count), element.properties.size(),
@@ -255,10 +255,10 @@ void read_ascii(TextCursor& text, const PlyHeader& header, LoadedMesh& loaded) {
 
 }  // namespace
 
-LoadedMesh read_ply(std::string_view bytes, std::string_view name) {
+ParsedMesh read_ply(std::string_view bytes, std::string_view name) {
   TextCursor text(bytes, name);
   const PlyHeader header = read_ply_header(text);
-  LoadedMesh loaded;
+  ParsedMesh loaded;
   if (header.encoding == PlyEncoding::ascii) {
     loaded.format = "PLY, ascii";
     read_ascii(text, header, loaded);

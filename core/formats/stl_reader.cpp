@@ -11,7 +11,7 @@ namespace {
 // points were chosen to collide costs a factor of log n, and not of n. On scans the map is empty.
 class Welder {
  public:
-  explicit Welder(LoadedMesh& loaded) : loaded_(loaded) {}
+  explicit Welder(ParsedMesh& loaded) : loaded_(loaded) {}
 
   VertexId id_of(Vec3 point) {
     point.array() += 0.0;  // -0 becomes 0
@@ -64,7 +64,7 @@ class Welder {
     }
   }
 
-  LoadedMesh& loaded_;
+  ParsedMesh& loaded_;
   std::vector<VertexId> slots_;
   std::map<Vec3, VertexId, ByCoordinates> crowded_out_;
 };
@@ -78,7 +78,7 @@ std::size_t promised_size(std::string_view bytes) {
   return header_size + triangle_size * load<std::uint32_t>(bytes.data() + header_size - 4);
 }
 
-LoadedMesh read_binary(std::string_view bytes, std::string_view name) {
+ParsedMesh read_binary(std::string_view bytes, std::string_view name) {
   if (bytes.size() < header_size) {
     fail_at_byte(name, bytes.size(), "the file ends inside the header of a binary STL");
   }
@@ -91,7 +91,7 @@ LoadedMesh read_binary(std::string_view bytes, std::string_view name) {
   }
   const std::size_t triangles = (size - header_size) / triangle_size;
   if (!ids_suffice(0, triangles)) fail_at_byte(name, header_size, too_many(0, triangles));
-  LoadedMesh loaded;
+  ParsedMesh loaded;
   loaded.format = "STL, binary";
   loaded.mesh.triangles.reserve(triangles);
   Welder welder(loaded);
@@ -112,8 +112,8 @@ LoadedMesh read_binary(std::string_view bytes, std::string_view name) {
   return loaded;
 }
 
-LoadedMesh read_ascii(std::string_view bytes, std::string_view name) {
-  LoadedMesh loaded;
+ParsedMesh read_ascii(std::string_view bytes, std::string_view name) {
+  ParsedMesh loaded;
   loaded.format = "STL, ascii";
   Welder welder(loaded);
   std::vector<VertexId> corners;
@@ -143,7 +143,7 @@ bool begins_as_ascii(std::string_view bytes, std::string_view name) {
 
 }  // namespace
 
-LoadedMesh read_stl(std::string_view bytes, std::string_view name) {
+ParsedMesh read_stl(std::string_view bytes, std::string_view name) {
   // Some binary files begin with "solid" too, but then their size gives them away.
   const bool has_binary_size = bytes.size() >= header_size && bytes.size() == promised_size(bytes);
   if (!has_binary_size && begins_as_ascii(bytes, name)) return read_ascii(bytes, name);

@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "core/formats/mesh_readers.h"
+#include "core/mesh/mesh_measure.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"
@@ -589,6 +591,109 @@ TEST(MeshFile, WritesLabelsThatOtherReadersSkip) {
   EXPECT_EQ(again.triangles, mesh.triangles);
   const std::string bytes = read_file(folder.path() / "a.ply");
   EXPECT_EQ(bytes.substr(bytes.size() - 7), std::string("\x0a\x0b\x0c\x07\0\0\0", 7));
+}
+
+struct PlanePolygon {
+  std::vector<Vec3> corners;
+  double area;
+};
+
+// A letter L, the same from its inner corner's neighbour, a star, and a square with a slit to a
+// square hole, in a slanted plane; forward and backward.
+std::vector<PlanePolygon> concave_polygons() {
+  const std::vector<std::pair<std::vector<std::array<double, 2>>, double>> flat = {
+      {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 3},
+      {{{2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}}, 3},
+      {{{2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}}, 3},
+      {{{0, 4}, {-1, 1}, {-4, 0}, {-1, -1}, {0, -4}, {1, -1}, {4, 0}, {1, 1}}, 16},
+      {{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}, 8}};
+  std::vector<PlanePolygon> polygons;
+  for (const auto& [points, area] : flat) {
+    PlanePolygon polygon{{}, 9 * area};  // along (1, 2, 2) and (-2, -1, 2), both of length 3
+    for (const auto& [x, y] : points) {
+      polygon.corners.emplace_back(x - 2 * y, 2 * x - y, 2 * x + 2 * y);
+    }
+    polygons.push_back(polygon);
+    std::reverse(polygon.corners.begin(), polygon.corners.end());
+    polygons.push_back(polygon);
+  }
+  return polygons;
+}
+
+std::string rows(const PlanePolygon& polygon, const std::string& opening) {
+  std::string text;
+  for (const Vec3& p : polygon.corners) {
+    text += opening + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+            std::to_string(p.z()) + "\n";
+  }
+  return text;
+}
+
+std::string face(const PlanePolygon& polygon, std::size_t first) {
+  std::string text;
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) text += " " + std::to_string(first + i);
+  return text + "\n";
+}
+
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) area += triangle_area(mesh, t);
+  return area;
+}
+
+TEST(Polygons, ConcaveOnesKeepTheirAreaInAllFormats) {
+  for (const PlanePolygon& polygon : concave_polygons()) {
+    const std::string n = std::to_string(polygon.corners.size());
+    const std::string vertex =
+        "element vertex " + n + "\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    const std::string row = n + face(polygon, 0);
+    const std::string ply = "ply\nformat ascii 1.0\n";
+    std::string binary = "ply\nformat binary_little_endian 1.0\n" + vertex + faces + "end_header\n";
+    for (const Vec3& p : polygon.corners) {
+      for (const double x : p) binary += raw(static_cast<float>(x), std::endian::little);
+    }
+    binary += raw(static_cast<std::uint8_t>(polygon.corners.size()), std::endian::little);
+    for (std::int32_t i = 0; i < std::ssize(polygon.corners); ++i) {
+      binary += raw(i, std::endian::little);
+    }
+    const std::vector<std::pair<MeshFormat, std::string>> files = {
+        {MeshFormat::off, "OFF\n" + n + " 1 0\n" + rows(polygon, "") + row},
+        {MeshFormat::obj, rows(polygon, "v ") + "f" + face(polygon, 1)},
+        {MeshFormat::obj, "f" + face(polygon, 1) + rows(polygon, "v ")},
+        {MeshFormat::ply, ply + vertex + faces + "end_header\n" + rows(polygon, "") + row},
+        {MeshFormat::ply, ply + faces + vertex + "end_header\n" + row + rows(polygon, "")},
+        {MeshFormat::ply, binary}};
+    for (const auto& [format, bytes] : files) {
+      const LoadedMesh loaded = parse_mesh(format, bytes, "polygon");
+      EXPECT_EQ(loaded.polygon_count, 1U);
+      EXPECT_EQ(loaded.mesh.triangle_count(), polygon.corners.size() - 2);
+      EXPECT_NEAR(area_of(loaded.mesh), polygon.area, 1e-9) << bytes;
+      Vec3 normal = Vec3::Zero();
+      for (const auto& [a, b, c] : loaded.mesh.triangles) {
+        const auto& p = loaded.mesh.positions;
+        normal += 0.5 * cross(p[b] - p[a], p[c] - p[a]);
+      }
+      EXPECT_NEAR(norm(normal), polygon.area, 1e-9);  // none turned over
+    }
+  }
+}
+
+TEST(Polygons, ConvexAndCrossedOnesAreFans) {
+  const auto triangles_of = [](const std::string& corners, int count) {
+    return parse_mesh(MeshFormat::off,
+                      "OFF\n" + std::to_string(count) + " 1 0\n" + corners + std::to_string(count) +
+                          " 0 1 2 3" + (count > 4 ? " 4" : "") + "\n",
+                      "polygon")
+        .mesh.triangles;
+  };
+  const std::vector<Triangle> fan4 = {{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Triangle> fan5 = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  EXPECT_EQ(triangles_of("0 0 0\n1 0 0\n1 1 0\n0 1 0\n", 4), fan4);
+  EXPECT_EQ(triangles_of("0 0 0\n2 0 0\n3 1 0\n1 3 0\n-1 1 0\n", 5), fan5);
+  EXPECT_EQ(triangles_of("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", 4), fan4);  // no area: an hourglass
+  EXPECT_EQ(triangles_of("0 0 0\n1 0 0\n2 0 0\n3 0 0\n", 4), fan4);  // a line
+  EXPECT_EQ(triangles_of("0 0 0\n4 0 0\n1 1 2\n0 4 0\n", 4), fan4);  // not flat
 }
 
 }  // namespace

@@ -38,10 +38,11 @@ struct LoadedMesh {
 
 /// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive).
 ///
-/// A polygon becomes triangles, in order, so triangle ids count those. Throws IoError where the
-/// file cannot be read, InvalidInput where it cannot be used (syntax, non-finite or over-large
-/// coordinate, index out of range, no triangles), naming file and line or byte offset. Never takes
-/// memory that the size of the file does not warrant.
+/// A polygon of n corners becomes n - 2 triangles, in order, so triangle ids count those: a fan
+/// around its first corner, or, where it is concave and flat, others that cover it. Throws IoError
+/// where the file cannot be read, InvalidInput where it cannot be used (syntax, non-finite or
+/// over-large coordinate, index out of range, no triangles), naming file and line or byte offset.
+/// Never takes memory that the size of the file does not warrant.
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
 /// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. The file

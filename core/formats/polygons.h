@@ -1,0 +1,24 @@
+#pragma once
+
+// What the readers of mesh files share; not for users of the library.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace geolloyd {
+
+/// The triangles of a polygon of four and more corners: a fan around its first corner.
+struct PolygonFan {
+  std::uint32_t first = 0;  ///< id of its first triangle
+  std::uint32_t count = 0;
+};
+
+/// Replaces the fans of concave polygons, which would cover more than the polygon, by as many
+/// triangles that cover the polygon: ears cut off one by one, in order (Meisters 1975). A fan stays
+/// where all its triangles face the same way, as in every convex polygon, and where the polygon is
+/// not flat, crosses itself so that no ear is left, or has more than 1024 corners.
+void triangulate_concave(Mesh& mesh, const std::vector<PolygonFan>& fans);
+
+}  // namespace geolloyd
