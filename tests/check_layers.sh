@@ -12,7 +12,7 @@ function table() {
          "core/base core/text core/mesh core/formats core/shapes core/graph core/voronoi " \
          "core/seeds core/lloyd core/remesh core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/library " \
-         "tools/words tools/evaluation tools/render " \
+         "tools/include/geolloyd tools/words tools/evaluation tools/render " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \

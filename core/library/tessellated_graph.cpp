@@ -75,6 +75,20 @@ void validate_field(std::span<const TangentSpace> field, std::size_t vertex_coun
   }
 }
 
+const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mesh& mesh) {
+  validate(mesh);
+  if (!tessellation.internals) {
+    throw InvalidInput("tessellation: empty: make one with tessellate()");
+  }
+  const MeshGraph& made = tessellation.internals->mesh_graph;
+  const std::size_t ids = (has_vertices(made.kind) ? mesh.vertex_count() : 0) +
+                          (has_triangles(made.kind) ? mesh.triangle_count() : 0);
+  if (made.node_of.size() != ids) {
+    throw InvalidInput("tessellation: of a mesh with another number of vertices or triangles");
+  }
+  return *tessellation.internals;
+}
+
 Tessellation describe(TessellatedGraph tessellated) {
   const auto internals = std::make_shared<const TessellatedGraph>(std::move(tessellated));
   const MeshGraph& made = internals->mesh_graph;

@@ -25,6 +25,9 @@ std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components
 /// Throws InvalidInput where `field` is neither empty nor one usable space per vertex.
 void validate_field(std::span<const TangentSpace> field, std::size_t vertex_count);
 
+/// What a tessellation keeps. Throws InvalidInput where it is none of this mesh.
+const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mesh& mesh);
+
 /// The same figures in input ids and mesh units.
 Tessellation describe(TessellatedGraph tessellated);
 

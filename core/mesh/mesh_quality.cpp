@@ -120,4 +120,9 @@ MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges) {
   return quality;
 }
 
+MeshQuality measure_quality(const Mesh& mesh) {
+  validate(mesh);
+  return measure_quality(mesh, find_edges(mesh));
+}
+
 }  // namespace geolloyd

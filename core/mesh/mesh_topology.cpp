@@ -92,4 +92,9 @@ MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges) {
   return topology;
 }
 
+MeshTopology find_topology(const Mesh& mesh) {
+  validate(mesh);
+  return find_topology(mesh, find_edges(mesh));
+}
+
 }  // namespace geolloyd

@@ -38,11 +38,11 @@ Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
   return roundness;
 }
 
-bool goes_on(const RemeshOptions& options) {
+bool goes_on(const GraphRemeshOptions& options) {
   return !options.keep_going || options.keep_going();
 }
 
-ViolationsLeft why_left(const Remesh& remesh, const RemeshOptions& options) {
+ViolationsLeft why_left(const GraphRemesh& remesh, const GraphRemeshOptions& options) {
   if (!any_removable(remesh.violations_left)) return ViolationsLeft::none;
   if (!options.manifold) return ViolationsLeft::not_asked;
   if (!goes_on(options)) return ViolationsLeft::stopped;
@@ -53,14 +53,14 @@ ViolationsLeft why_left(const Remesh& remesh, const RemeshOptions& options) {
 }
 
 std::vector<Vec3> find_sites(const RemeshInput& input, const std::vector<NodeId>& seeds,
-                             const RemeshOptions& options) {
+                             const GraphRemeshOptions& options) {
   if (!options.sites) return positions_of(input.mesh_graph, seeds);
   const bool is_unchanged = seeds == input.seeds;
   return options.sites(seeds, is_unchanged ? input.partition : partition_of(input.engine, seeds));
 }
 
-void fill_in(Remesh& remesh, const RemeshInput& input, DualisedSeeds dualised,
-             const RemeshOptions& options) {
+void fill_in(GraphRemesh& remesh, const RemeshInput& input, DualisedSeeds dualised,
+             const GraphRemeshOptions& options) {
   remesh.seeds = std::move(dualised.seeds);
   remesh.seeds_added = remesh.seeds.size() - input.seeds.size();
   remesh.reassigned_points = dualised.surface.reassigned_points.size();
@@ -81,22 +81,22 @@ void fill_in(Remesh& remesh, const RemeshInput& input, DualisedSeeds dualised,
 
 }  // namespace
 
-bool Remesh::is_manifold() const {
+bool GraphRemesh::is_manifold() const {
   return !mesh.triangles.empty() && topology.is_manifold();
 }
 
-bool Remesh::has_input_topology() const {
+bool GraphRemesh::has_input_topology() const {
   if (input_topology.is_manifold()) {
     return is_manifold() && topology.parts == input_topology.parts;
   }
   return violations_left.empty() && topology == input_topology;
 }
 
-Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options) {
+GraphRemesh make_remesh(const RemeshInput& input, const GraphRemeshOptions& options) {
   const MeshEdges edges = find_edges(input.mesh, input.executor);
   const DualInput dual_input{input.mesh, edges, input.mesh_graph, input.executor};
   DualisedSeeds dualised = dualise(dual_input, input.partition, input.seeds);
-  Remesh remesh;
+  GraphRemesh remesh;
   parallel_invoke(
       input.executor, [&] { remesh.input_topology = find_topology(input.mesh, edges); },
       [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });

@@ -21,14 +21,14 @@ struct Roundness {
 /// Why there are closed-ball violations left that further seeds might remove.
 enum class ViolationsLeft {
   none,       ///< there are none, or none but those of the input
-  not_asked,  ///< RemeshOptions::manifold was false
+  not_asked,  ///< GraphRemeshOptions::manifold was false
   stopped,    ///< keep_going said so
   bounded,    ///< as many seeds were added as an input that is no manifold gets (dual_repair.h)
   no_room     ///< no node is left where a seed would help
 };
 
 /// The dual of a tessellation as a mesh: vertex r stands for region r; added seeds come last.
-struct Remesh {
+struct GraphRemesh {
   Mesh mesh;
   std::vector<NodeId> seeds;  ///< per vertex
   std::size_t seeds_added = 0;
@@ -63,7 +63,7 @@ struct RemeshInput {
   Executor& executor = sequential();
 };
 
-struct RemeshOptions {
+struct GraphRemeshOptions {
   bool manifold = true;  ///< add seeds until the dual is one
   /// Where the vertices are that are not on the boundary, given the final seeds and their
   /// partition. Without it: at the seeds.
@@ -73,6 +73,6 @@ struct RemeshOptions {
   std::function<bool()> keep_going;
 };
 
-Remesh make_remesh(const RemeshInput& input, const RemeshOptions& options);
+GraphRemesh make_remesh(const RemeshInput& input, const GraphRemeshOptions& options);
 
 }  // namespace geolloyd

@@ -1,7 +1,9 @@
 // The public headers, called rightly and wrongly.
 #include <geolloyd/choices.h>
 #include <geolloyd/errors.h>
+#include <geolloyd/measure.h>
 #include <geolloyd/mesh.h>
+#include <geolloyd/remesh.h>
 #include <geolloyd/tessellate.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +99,22 @@ TEST(Library, ProgressIsReportedAndMayEndTheWork) {
   EXPECT_LE(stopped.energy, stopped.initial_energy);
   options.progress = [](const Progress&) -> bool { throw std::runtime_error("from the callback"); };
   EXPECT_THROW(tessellate(mesh, options), std::runtime_error);
+}
+
+TEST(Library, ARemeshIsAManifoldWithSeedsAsVertices) {
+  const Mesh mesh = torus(3000, 1);
+  const Tessellation tessellation = tessellate(mesh, with_seeds(60));
+  const Remesh made = remesh(mesh, tessellation);
+  EXPECT_TRUE(made.is_manifold && made.has_input_topology && made.is_input_manifold);
+  EXPECT_EQ(made.violations_left, 0U);
+  ASSERT_EQ(made.seeds.size(), made.mesh.vertex_count());
+  ASSERT_EQ(made.seeds.size(), 60 + made.seeds_added);
+  for (std::size_t v = 0; v < made.seeds.size(); ++v) {
+    EXPECT_EQ(made.mesh.positions[v], mesh.positions[made.seeds[v]]);
+  }
+  for (std::size_t r = 0; r < 60; ++r) EXPECT_EQ(made.seeds[r], tessellation.regions[r].seed);
+  EXPECT_EQ(find_topology(made.mesh).parts, find_topology(mesh).parts);
+  EXPECT_GT(measure_quality(made.mesh).mean_quality, 0.5);
 }
 
 TEST(Library, AMeshWrittenAndReadIsTheSame) {
@@ -232,6 +250,18 @@ const WrongCall wrong_calls[] = {
        tessellate_in({space(1), space(1), space(1), space(-1)});
      },
      "field[3]"},
+    {"RemeshOfNothing", [] { remesh(two_triangles(), {}); }, "tessellation"},
+    {"RemeshOfAnotherMesh",
+     [] { remesh(with_a_loose_triangle(), tessellate(two_triangles(), with_seeds(1))); },
+     "another number"},
+    {"QualityOfNothing", [] { measure_quality({}); }, "no triangles"},
+    {"TopologyOfNotANumber",
+     [] {
+       Mesh mesh = two_triangles();
+       mesh.positions[0].z() = std::nan("");
+       find_topology(mesh);
+     },
+     "vertex 0"},
     {"NoSuchFormat", [] { write_mesh("mesh.xyz", two_triangles()); }, "mesh.xyz"},
     {"WritingAnInvalidMesh",
      [] {

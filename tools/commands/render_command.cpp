@@ -88,7 +88,7 @@ class Renderer {
 
   Pixels draw(PanelKind kind, const Scene& scene) {
     if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
-    const Remesh remesh =
+    const GraphRemesh remesh =
         make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
                      *found_.engine, scheduler_},
                     {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);

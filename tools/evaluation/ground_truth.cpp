@@ -11,11 +11,11 @@
 namespace geolloyd {
 namespace {
 
-std::vector<RegionId> nearest_seeds(Scheduler& scheduler, const MeshGraph& mesh_graph,
+std::vector<RegionId> nearest_seeds(Executor& executor, const MeshGraph& mesh_graph,
                                     const Partition& partition, std::span<const Vec3> seeds) {
   const NearestSite nearest(seeds);
   std::vector<RegionId> region(mesh_graph.position.size(), no_id);
-  parallel_for(scheduler, region.size(), small_items, [&](std::size_t v) {
+  parallel_for(executor, region.size(), small_items, [&](std::size_t v) {
     const RegionId guess = region_of(partition.key[v]);
     if (guess != no_id) region[v] = nearest.find(mesh_graph.position[v], guess);
   });
@@ -80,11 +80,11 @@ double mean_triangle_side(const Mesh& mesh) {
   return sum / (3 * static_cast<double>(mesh.triangle_count()));
 }
 
-void measure_distances(GroundTruth& truth, Scheduler& scheduler, const Mesh& mesh,
+void measure_distances(GroundTruth& truth, Executor& executor, const Mesh& mesh,
                        std::span<const Vec3> seeds) {
   const ClosestPoint surface(mesh);
   truth.surface_centroid.resize(seeds.size());
-  parallel_for(scheduler, seeds.size(), 16, [&](std::size_t r) {
+  parallel_for(executor, seeds.size(), 16, [&](std::size_t r) {
     truth.surface_centroid[r] = surface.find(truth.centroid[r]).position;
   });
   const double side = mean_triangle_side(mesh);
@@ -99,13 +99,13 @@ void measure_distances(GroundTruth& truth, Scheduler& scheduler, const Mesh& mes
 
 }  // namespace
 
-GroundTruth make_ground_truth(Scheduler& scheduler, const Mesh& mesh, const MeshGraph& mesh_graph,
+GroundTruth make_ground_truth(Executor& executor, const Mesh& mesh, const MeshGraph& mesh_graph,
                               const Partition& partition, std::span<const NodeId> seeds) {
   GroundTruth truth;
   const std::vector<Vec3> position = positions_of(mesh_graph, seeds);
-  truth.region = nearest_seeds(scheduler, mesh_graph, partition, position);
+  truth.region = nearest_seeds(executor, mesh_graph, partition, position);
   add_nodes(truth, mesh_graph, partition, position);
-  measure_distances(truth, scheduler, mesh, position);
+  measure_distances(truth, executor, mesh, position);
   return truth;
 }
 

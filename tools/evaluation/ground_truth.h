@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/mesh.h"
 #include "core/voronoi/partition.h"
-#include "parallel/threads/scheduler.h"
 #include "tools/evaluation/statistics.h"
 
 namespace geolloyd {
@@ -37,7 +37,7 @@ struct GroundTruth {
 };
 
 /// `partition`: of the graph by these seeds, regions free. The same for any number of threads.
-GroundTruth make_ground_truth(Scheduler& scheduler, const Mesh& mesh, const MeshGraph& mesh_graph,
+GroundTruth make_ground_truth(Executor& executor, const Mesh& mesh, const MeshGraph& mesh_graph,
                               const Partition& partition, std::span<const NodeId> seeds);
 
 }  // namespace geolloyd

@@ -10,11 +10,11 @@
 
 namespace geolloyd {
 
-double site_energy(Scheduler& scheduler, std::span<const Vec3> points, std::span<const double> mass,
+double site_energy(Executor& executor, std::span<const Vec3> points, std::span<const double> mass,
                    std::span<const Vec3> sites) {
   const NearestSite nearest(sites);
   std::vector<double> of_range(points.size() / small_items + 1, 0);
-  parallel_for_ranges(scheduler, points.size(), small_items,
+  parallel_for_ranges(executor, points.size(), small_items,
                       [&](std::size_t begin, std::size_t end, std::size_t) {
                         double energy = 0;
                         std::uint32_t site = 0;

@@ -34,10 +34,10 @@ struct Sums {
 };
 
 // Sums over fixed ranges, then over these in order, so that threads do not matter.
-Sums sum_over_samples(Scheduler& scheduler, const SurfaceSamples& samples,
+Sums sum_over_samples(Executor& executor, const SurfaceSamples& samples,
                       const ClosestPoint& closest) {
   std::vector<Sums> of_range(samples.size() / small_items + 1);
-  parallel_for_ranges(scheduler, samples.size(), small_items,
+  parallel_for_ranges(executor, samples.size(), small_items,
                       [&](std::size_t begin, std::size_t end, std::size_t) {
                         Sums sums;
                         for (std::size_t i = begin; i < end; ++i) {
@@ -50,10 +50,10 @@ Sums sum_over_samples(Scheduler& scheduler, const SurfaceSamples& samples,
   return total;
 }
 
-double largest_of_vertices(Scheduler& scheduler, const Mesh& mesh, const ClosestPoint& closest) {
-  const std::vector<std::uint8_t> referenced = referenced_vertices(mesh, scheduler);
-  std::vector<double> of_worker(scheduler.threads(), 0);
-  parallel_for_ranges(scheduler, mesh.vertex_count(), small_items,
+double largest_of_vertices(Executor& executor, const Mesh& mesh, const ClosestPoint& closest) {
+  const std::vector<std::uint8_t> referenced = referenced_vertices(mesh, executor);
+  std::vector<double> of_worker(executor.threads(), 0);
+  parallel_for_ranges(executor, mesh.vertex_count(), small_items,
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         double& largest = of_worker[worker];
                         for (std::size_t v = begin; v < end; ++v) {
@@ -64,14 +64,14 @@ double largest_of_vertices(Scheduler& scheduler, const Mesh& mesh, const Closest
   return *std::max_element(of_worker.begin(), of_worker.end());
 }
 
-DistanceFigures one_sided(Scheduler& scheduler, const Mesh& from, const Mesh& to,
+DistanceFigures one_sided(Executor& executor, const Mesh& from, const Mesh& to,
                           std::size_t samples) {
   const ClosestPoint closest(to);
   const Sums sums =
-      sum_over_samples(scheduler, SurfaceSamples(from, samples, sampling_seed), closest);
+      sum_over_samples(executor, SurfaceSamples(from, samples, sampling_seed), closest);
   const auto count = static_cast<double>(samples);
   return {sums.distances / count, std::sqrt(sums.squares / count),
-          std::max(sums.largest, largest_of_vertices(scheduler, from, closest))};
+          std::max(sums.largest, largest_of_vertices(executor, from, closest))};
 }
 
 }  // namespace
@@ -81,10 +81,9 @@ DistanceFigures SurfaceDistance::two_sided() const {
           std::max(from_first.largest, from_second.largest)};
 }
 
-SurfaceDistance measure_distance(Scheduler& scheduler, const Mesh& first, const Mesh& second,
+SurfaceDistance measure_distance(Executor& executor, const Mesh& first, const Mesh& second,
                                  std::size_t samples) {
-  return {one_sided(scheduler, first, second, samples),
-          one_sided(scheduler, second, first, samples)};
+  return {one_sided(executor, first, second, samples), one_sided(executor, second, first, samples)};
 }
 
 }  // namespace geolloyd

@@ -119,18 +119,18 @@ Colour blend(const Colour& under, const Colour& over, double part) {
 }
 
 void draw(std::span<const Stroke> strokes, const Ink& ink, const Scene& scene, Canvas& canvas,
-          Scheduler& scheduler) {
+          Executor& executor) {
   const int rows = scene.grid.rows();
   const auto bands = static_cast<std::size_t>((rows + band_rows - 1) / band_rows);
   const auto by_band =
-      bucket_sort<std::uint32_t>(scheduler, bands, strokes.size(), [&](std::size_t i, auto&& put) {
+      bucket_sort<std::uint32_t>(executor, bands, strokes.size(), [&](std::size_t i, auto&& put) {
         const Stroke& stroke = strokes[i];
         const Range range = near(stroke.from.y(), stroke.to.y(), reach_of(stroke), rows);
         for (int row = range.begin; row < range.end; row += band_rows - row % band_rows) {
           put(static_cast<std::size_t>(row / band_rows), static_cast<std::uint32_t>(i));
         }
       });
-  parallel_for(scheduler, bands, 1, [&](std::size_t b) {
+  parallel_for(executor, bands, 1, [&](std::size_t b) {
     if (by_band[b].empty()) return;
     Band band(scene, static_cast<int>(b) * band_rows);
     for (const std::uint32_t i : by_band[b]) band.add(strokes[i]);
@@ -138,11 +138,11 @@ void draw(std::span<const Stroke> strokes, const Ink& ink, const Scene& scene, C
   });
 }
 
-Pixels to_pixels(const Scene& scene, const Canvas& canvas, Scheduler& scheduler) {
+Pixels to_pixels(const Scene& scene, const Canvas& canvas, Executor& executor) {
   const Size size = scene.grid.size;
   Pixels pixels{size, {}};
   pixels.argb.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-  parallel_for(scheduler, static_cast<std::size_t>(size.height), 1, [&](std::size_t y) {
+  parallel_for(executor, static_cast<std::size_t>(size.height), 1, [&](std::size_t y) {
     for (int x = 0; x < size.width; ++x) {
       pixels.argb[y * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)] =
           pixel_at(scene, canvas, x, static_cast<int>(y));

@@ -30,9 +30,9 @@ Colour blend(const Colour& under, const Colour& over, double part);
 
 /// The surface with the colours that colour_of(sample) gives, lit.
 template <class ColourOf>
-Canvas paint(const Scene& scene, Scheduler& scheduler, ColourOf&& colour_of) {
+Canvas paint(const Scene& scene, Executor& executor, ColourOf&& colour_of) {
   Canvas canvas(scene.hit.size());
-  parallel_for(scheduler, canvas.size(), small_items, [&](std::size_t i) {
+  parallel_for(executor, canvas.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle == no_id) return;
     canvas[i] = blend({0, 0, 0}, colour_of(i), scene.light[i]);
   });
@@ -42,7 +42,7 @@ Canvas paint(const Scene& scene, Scheduler& scheduler, ColourOf&& colour_of) {
 /// Draws strokes as one layer, where no part of the surface hides them: so far as they run below it
 /// only by what their width and the chord of an arc amount to, they are seen.
 void draw(std::span<const Stroke> strokes, const Ink& ink, const Scene& scene, Canvas& canvas,
-          Scheduler& scheduler);
+          Executor& executor);
 
 /// A picture, row by row: alpha, red, green, blue from the highest byte on, multiplied by alpha.
 struct Pixels {
@@ -50,6 +50,6 @@ struct Pixels {
   std::vector<std::uint32_t> argb;
 };
 
-Pixels to_pixels(const Scene& scene, const Canvas& canvas, Scheduler& scheduler);
+Pixels to_pixels(const Scene& scene, const Canvas& canvas, Executor& executor);
 
 }  // namespace geolloyd

@@ -93,12 +93,12 @@ double dot_radius(std::span<const RegionId> shown, std::size_t region_count) {
 }
 
 Canvas paint_shown(const Scene& scene, std::span<const RegionId> shown,
-                   std::span<const Colour> colour, double paleness, Scheduler& scheduler) {
-  Canvas canvas = paint(scene, scheduler, [&](std::size_t i) {
+                   std::span<const Colour> colour, double paleness, Executor& executor) {
+  Canvas canvas = paint(scene, executor, [&](std::size_t i) {
     const Colour& own = shown[i] == no_id ? no_colour : colour[shown[i]];
     return blend(own, white, paleness);
   });
-  draw(borders(scene, shown), {black, 0.75}, scene, canvas, scheduler);
+  draw(borders(scene, shown), {black, 0.75}, scene, canvas, executor);
   return canvas;
 }
 
@@ -116,7 +116,7 @@ bool is_visible(const Scene& scene, const Vec3& p) {
 // At places in mesh units; whole or, where the centre is hidden, not at all. A rim keeps them
 // visible on any colour.
 void draw_dots(std::span<const Vec3> places, double radius, const Colour& colour, const Colour& rim,
-               const Scene& scene, Canvas& canvas, Scheduler& scheduler) {
+               const Scene& scene, Canvas& canvas, Executor& executor) {
   std::vector<Stroke> inner;
   std::vector<Stroke> outer;
   for (const Vec3& place : places) {
@@ -125,14 +125,14 @@ void draw_dots(std::span<const Vec3> places, double radius, const Colour& colour
     inner.push_back(disc(centre, radius));
     outer.push_back(disc(centre, radius + std::min(1.0, 0.4 * radius)));
   }
-  draw(outer, {rim, 0.9}, scene, canvas, scheduler);
-  draw(inner, {colour, 1}, scene, canvas, scheduler);
+  draw(outer, {rim, 0.9}, scene, canvas, executor);
+  draw(inner, {colour, 1}, scene, canvas, executor);
 }
 
 void draw_seeds(const PartitionView& view, std::span<const RegionId> shown, const Scene& scene,
-                Canvas& canvas, Scheduler& scheduler) {
+                Canvas& canvas, Executor& executor) {
   draw_dots(positions_of(view.mesh_graph, view.seeds), dot_radius(shown, view.seeds.size()), black,
-            white, scene, canvas, scheduler);
+            white, scene, canvas, executor);
 }
 
 SubtreeSums subtrees(const Graph& graph, const Partition& partition) {
@@ -205,35 +205,35 @@ double largest_magnitude(std::span<const TangentSpace> vertex_space) {
 
 }  // namespace
 
-Canvas paint_surface(const Scene& scene, Scheduler& scheduler) {
-  return paint(scene, scheduler, [](std::size_t /*sample*/) { return clay; });
+Canvas paint_surface(const Scene& scene, Executor& executor) {
+  return paint(scene, executor, [](std::size_t /*sample*/) { return clay; });
 }
 
-Canvas paint_mesh(const Scene& scene, Scheduler& scheduler) {
-  return paint(scene, scheduler, [&](std::size_t sample) {
+Canvas paint_mesh(const Scene& scene, Executor& executor) {
+  return paint(scene, executor, [&](std::size_t sample) {
     return blend(clay, black, 0.85 * edge_coverage(scene, sample));
   });
 }
 
-Canvas paint_regions(const PartitionView& view, const Scene& scene, Scheduler& scheduler) {
+Canvas paint_regions(const PartitionView& view, const Scene& scene, Executor& executor) {
   const std::vector<RegionId> shown =
-      show_partition(scene, view.mesh_graph, view.partition, scheduler);
-  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, scheduler);
-  draw_seeds(view, shown, scene, canvas, scheduler);
+      show_partition(scene, view.mesh_graph, view.partition, executor);
+  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, executor);
+  draw_seeds(view, shown, scene, canvas, executor);
   return canvas;
 }
 
-Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& scheduler) {
+Canvas paint_trees(const PartitionView& view, const Scene& scene, Executor& executor) {
   const std::vector<RegionId> shown =
-      show_partition(scene, view.mesh_graph, view.partition, scheduler);
-  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0.6, scheduler);
-  draw(branches(view, scene), {black, 0.85}, scene, canvas, scheduler);
-  draw_seeds(view, shown, scene, canvas, scheduler);
+      show_partition(scene, view.mesh_graph, view.partition, executor);
+  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0.6, executor);
+  draw(branches(view, scene), {black, 0.85}, scene, canvas, executor);
+  draw_seeds(view, shown, scene, canvas, executor);
   return canvas;
 }
 
 Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
-                   Scheduler& scheduler) {
+                   Executor& executor) {
   const double spacing = std::clamp(scene.grid.size.width / 34.0, 12.0, 36.0);
   const double scale = 0.5 * spacing / largest_magnitude(vertex_space);
   std::vector<Stroke> larger;
@@ -248,22 +248,21 @@ Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scen
     (in_order ? larger : smaller).push_back(stroke(space.tangent, space.tangent_magnitude));
     (in_order ? smaller : larger).push_back(stroke(space.bitangent, space.bitangent_magnitude));
   }
-  Canvas canvas = paint_surface(scene, scheduler);
-  draw(smaller, {orange, 1}, scene, canvas, scheduler);
-  draw(larger, {blue, 1}, scene, canvas, scheduler);
+  Canvas canvas = paint_surface(scene, executor);
+  draw(smaller, {orange, 1}, scene, canvas, executor);
+  draw(larger, {blue, 1}, scene, canvas, executor);
   return canvas;
 }
 
 Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
-                          std::span<const Vec3> centroid, const Scene& scene,
-                          Scheduler& scheduler) {
+                          std::span<const Vec3> centroid, const Scene& scene, Executor& executor) {
   const std::vector<Vec3> seeds = positions_of(view.mesh_graph, view.seeds);
   const std::vector<RegionId> shown =
-      show_nearest(scene, view.mesh_graph, region_of_node, seeds, scheduler);
-  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, scheduler);
+      show_nearest(scene, view.mesh_graph, region_of_node, seeds, executor);
+  Canvas canvas = paint_shown(scene, shown, view.region_colour, 0, executor);
   const double radius = dot_radius(shown, seeds.size());
-  draw_dots(seeds, radius, white, black, scene, canvas, scheduler);
-  draw_dots(centroid, radius, black, white, scene, canvas, scheduler);
+  draw_dots(seeds, radius, white, black, scene, canvas, executor);
+  draw_dots(centroid, radius, black, white, scene, canvas, executor);
   return canvas;
 }
 

@@ -21,28 +21,28 @@ struct PartitionView {
   std::span<const Colour> region_colour;
 };
 
-Canvas paint_surface(const Scene& scene, Scheduler& scheduler);
+Canvas paint_surface(const Scene& scene, Executor& executor);
 
 /// The surface and the edges of the scene's mesh.
-Canvas paint_mesh(const Scene& scene, Scheduler& scheduler);
+Canvas paint_mesh(const Scene& scene, Executor& executor);
 
 /// Regions, borders between them, seeds as dots.
-Canvas paint_regions(const PartitionView& view, const Scene& scene, Scheduler& scheduler);
+Canvas paint_regions(const PartitionView& view, const Scene& scene, Executor& executor);
 
 /// The shortest-path forest, each node joined to its parent, on pale regions. Lines are wider the
 /// more surface is reached by them; where nodes are smaller than some pixels, the finest are left
 /// out.
-Canvas paint_trees(const PartitionView& view, const Scene& scene, Scheduler& scheduler);
+Canvas paint_trees(const PartitionView& view, const Scene& scene, Executor& executor);
 
 /// The regions of points that are nearest to a seed through space, seeds as light dots, the
 /// centroids of these regions (mesh units, on the surface) as dark ones: where a seed is at its
 /// centroid, that hides it.
 Canvas paint_ground_truth(const PartitionView& view, std::span<const RegionId> region_of_node,
-                          std::span<const Vec3> centroid, const Scene& scene, Scheduler& scheduler);
+                          std::span<const Vec3> centroid, const Scene& scene, Executor& executor);
 
 /// Both directions of a tangent field at vertices evenly spread over the picture, as long as their
 /// magnitudes: the one of larger magnitude blue, the other orange.
 Canvas paint_field(std::span<const TangentSpace> vertex_space, const Scene& scene,
-                   Scheduler& scheduler);
+                   Executor& executor);
 
 }  // namespace geolloyd

@@ -52,10 +52,10 @@ Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) 
 }
 
 Picture::Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels,
-                 bool has_captions, Scheduler& scheduler) {
-  const Outline outline = outline_of(referenced_positions(mesh, scheduler), view);
+                 bool has_captions, Executor& executor) {
+  const Outline outline = outline_of(referenced_positions(mesh, executor), view);
   layout_ = arrange(panels, has_captions, size, aspect_of(outline));
-  scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, scheduler);
+  scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, executor);
 }
 
 void Picture::write(const std::filesystem::path& path, std::span<const PanelImage> panels) const {
@@ -74,8 +74,8 @@ void Picture::write(const std::filesystem::path& path, std::span<const PanelImag
   sheet.write(path);
 }
 
-std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Scheduler& scheduler) {
-  const Outline outline = outline_of(referenced_positions(mesh, scheduler), view);
+std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Executor& executor) {
+  const Outline outline = outline_of(referenced_positions(mesh, executor), view);
   return SampleGrid{arrange(1, false, size, aspect_of(outline)).panel}.count();
 }
 

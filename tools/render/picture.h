@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "parallel/threads/scheduler.h"
+#include "core/base/executor.h"
 #include "tools/render/canvas.h"
 
 namespace geolloyd {
@@ -33,7 +33,7 @@ struct PanelImage {
 class Picture {
  public:
   Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels, bool has_captions,
-          Scheduler& scheduler);
+          Executor& executor);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
@@ -46,6 +46,6 @@ class Picture {
 };
 
 /// How many rays a picture with one panel has: its memory goes by them.
-std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Scheduler& scheduler);
+std::size_t count_samples(const Mesh& mesh, const View& view, Size size, Executor& executor);
 
 }  // namespace geolloyd

@@ -19,9 +19,9 @@ constexpr double crease_cosine = 0.76;  // of an edge's angle from its vertices'
 constexpr int tile = 4;  // of samples, cast as one packet
 static_assert(tile * tile == static_cast<int>(RayCaster::packet));
 
-Mesh seen_by(const Camera& camera, const Mesh& mesh, Scheduler& scheduler) {
+Mesh seen_by(const Camera& camera, const Mesh& mesh, Executor& executor) {
   Mesh seen = mesh;
-  parallel_for(scheduler, seen.vertex_count(), small_items,
+  parallel_for(executor, seen.vertex_count(), small_items,
                [&](std::size_t v) { seen.positions[v] = camera(seen.positions[v]); });
   return seen;
 }
@@ -49,11 +49,11 @@ void cast_tile(const RayCaster& caster, int column, int row, Scene& scene) {
   }
 }
 
-void cast_all(Scene& scene, Scheduler& scheduler) {
+void cast_all(Scene& scene, Executor& executor) {
   const RayCaster caster(scene.mesh);
   scene.hit.resize(scene.grid.count());
   const int tile_rows = (scene.grid.rows() + tile - 1) / tile;
-  parallel_for(scheduler, static_cast<std::size_t>(tile_rows), 1, [&](std::size_t r) {
+  parallel_for(executor, static_cast<std::size_t>(tile_rows), 1, [&](std::size_t r) {
     for (int column = 0; column < scene.grid.columns(); column += tile) {
       cast_tile(caster, column, static_cast<int>(r) * tile, scene);
     }
@@ -63,13 +63,13 @@ void cast_all(Scene& scene, Scheduler& scheduler) {
 // Unit normals of triangles and of vertices, the latter weighted by area.
 class Normals {
  public:
-  Normals(const Mesh& mesh, Shading shading, Scheduler& scheduler) : mesh_(mesh) {
+  Normals(const Mesh& mesh, Shading shading, Executor& executor) : mesh_(mesh) {
     of_triangle_.resize(mesh.triangle_count());
-    parallel_for(scheduler, mesh.triangle_count(), small_items,
+    parallel_for(executor, mesh.triangle_count(), small_items,
                  [&](std::size_t t) { of_triangle_[t] = normal_of(mesh, mesh.triangles[t]); });
     if (shading == Shading::smooth) add_vertices();
     for (std::vector<Vec3>* normals : {&of_triangle_, &of_vertex_}) {
-      parallel_for(scheduler, normals->size(), small_items,
+      parallel_for(executor, normals->size(), small_items,
                    [&](std::size_t i) { (*normals)[i] = normalized((*normals)[i]); });
     }
   }
@@ -107,20 +107,20 @@ float light_on(Vec3 normal) {
   return static_cast<float>(std::min(1.0, ambient - from_eye * normal.z() + from_lamp * lamp));
 }
 
-void light_all(Scene& scene, Shading shading, Scheduler& scheduler) {
-  const Normals normals(scene.mesh, shading, scheduler);
+void light_all(Scene& scene, Shading shading, Executor& executor) {
+  const Normals normals(scene.mesh, shading, executor);
   scene.light.resize(scene.hit.size());
-  parallel_for(scheduler, scene.hit.size(), small_items, [&](std::size_t i) {
+  parallel_for(executor, scene.hit.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle != no_id) scene.light[i] = light_on(normals.at(scene.hit[i]));
   });
 }
 
 }  // namespace
 
-Scene make_scene(const Mesh& mesh, const Camera& camera, Shading shading, Scheduler& scheduler) {
-  Scene scene{camera, {camera.size}, seen_by(camera, mesh, scheduler), {}, {}};
-  cast_all(scene, scheduler);
-  light_all(scene, shading, scheduler);
+Scene make_scene(const Mesh& mesh, const Camera& camera, Shading shading, Executor& executor) {
+  Scene scene{camera, {camera.size}, seen_by(camera, mesh, executor), {}, {}};
+  cast_all(scene, executor);
+  light_all(scene, shading, executor);
   return scene;
 }
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
-#include "parallel/threads/scheduler.h"
 #include "tools/render/ray_caster.h"
 #include "tools/render/view.h"
 
@@ -39,6 +39,6 @@ struct Scene {
 };
 
 /// Smooth shading keeps edges that are sharper than some 40 degrees.
-Scene make_scene(const Mesh& mesh, const Camera& camera, Shading shading, Scheduler& scheduler);
+Scene make_scene(const Mesh& mesh, const Camera& camera, Shading shading, Executor& executor);
 
 }  // namespace geolloyd

@@ -42,7 +42,7 @@ struct Places {
 // of_node(node) is a node's Nearest; seen_from(its own, its position, another position) that of a
 // vertex by way of a triangle.
 template <class OfNode, class SeenFrom>
-Places find_places(const Scene& scene, const MeshGraph& mesh_graph, Scheduler& scheduler,
+Places find_places(const Scene& scene, const MeshGraph& mesh_graph, Executor& executor,
                    OfNode&& of_node, SeenFrom&& seen_from) {
   const Mesh& mesh = scene.mesh;
   const auto nearest = [&](std::size_t id) {
@@ -52,12 +52,12 @@ Places find_places(const Scene& scene, const MeshGraph& mesh_graph, Scheduler& s
   Places places;
   places.vertex.resize(mesh.vertex_count());
   if (has_vertices(mesh_graph.kind)) {
-    parallel_for(scheduler, mesh.vertex_count(), small_items,
+    parallel_for(executor, mesh.vertex_count(), small_items,
                  [&](std::size_t v) { places.vertex[v] = nearest(v); });
   }
   if (!has_triangles(mesh_graph.kind)) return places;
   places.triangle.resize(mesh.triangle_count());
-  parallel_for(scheduler, mesh.triangle_count(), small_items, [&](std::size_t t) {
+  parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
     places.triangle[t] = nearest(mesh_graph.first_triangle_id + t);
   });
   if (has_vertices(mesh_graph.kind)) return places;
@@ -114,10 +114,10 @@ Corners corners_around(const RayHit& hit, const Mesh& mesh, const Places& places
 // Of the regions around a sample the one with the smallest distance_of(region, corners), in doubt
 // that of the nearest place.
 template <class DistanceOf>
-std::vector<RegionId> show(const Scene& scene, const Places& places, Scheduler& scheduler,
+std::vector<RegionId> show(const Scene& scene, const Places& places, Executor& executor,
                            DistanceOf&& distance_of) {
   std::vector<RegionId> shown(scene.hit.size(), no_id);
-  parallel_for(scheduler, shown.size(), small_items, [&](std::size_t i) {
+  parallel_for(executor, shown.size(), small_items, [&](std::size_t i) {
     if (scene.hit[i].triangle == no_id) return;
     shown[i] = places.only_region(scene.mesh, scene.hit[i].triangle);
     if (shown[i] != no_id) return;
@@ -151,10 +151,10 @@ double distance_to(std::size_t c, RegionId region, const Corners& corners) {
 }  // namespace
 
 std::vector<RegionId> show_partition(const Scene& scene, const MeshGraph& mesh_graph,
-                                     const Partition& partition, Scheduler& scheduler) {
+                                     const Partition& partition, Executor& executor) {
   const double tick = mesh_graph.graph.tick_length / scene.camera.pixel;
   const Places places = find_places(
-      scene, mesh_graph, scheduler,
+      scene, mesh_graph, executor,
       [&](NodeId node) {
         const Key key = partition.key[node];
         return Nearest{distance_of(key) * tick, region_of(key)};
@@ -162,7 +162,7 @@ std::vector<RegionId> show_partition(const Scene& scene, const MeshGraph& mesh_g
       [](const Nearest& by, const Vec3& from, const Vec3& to) {
         return Nearest{by.distance + norm(to - from), by.region};
       });
-  return show(scene, places, scheduler, [](RegionId region, const Corners& corners) {
+  return show(scene, places, executor, [](RegionId region, const Corners& corners) {
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       sum += corners.corner[c].weight * distance_to(c, region, corners);
@@ -173,19 +173,19 @@ std::vector<RegionId> show_partition(const Scene& scene, const MeshGraph& mesh_g
 
 std::vector<RegionId> show_nearest(const Scene& scene, const MeshGraph& mesh_graph,
                                    std::span<const RegionId> region_of_node,
-                                   std::span<const Vec3> seed_position, Scheduler& scheduler) {
+                                   std::span<const Vec3> seed_position, Executor& executor) {
   std::vector<Vec3> seed;
   seed.reserve(seed_position.size());
   for (const Vec3& p : seed_position) seed.push_back(scene.camera(p));
   const Places places = find_places(
-      scene, mesh_graph, scheduler,
+      scene, mesh_graph, executor,
       [&](NodeId node) {
         return Nearest{0, region_of_node[node]};
       },
       [&](const Nearest& by, const Vec3& /*from*/, const Vec3& to) {
         return Nearest{norm(to - seed[by.region]), by.region};
       });
-  return show(scene, places, scheduler, [&](RegionId region, const Corners& corners) {
+  return show(scene, places, executor, [&](RegionId region, const Corners& corners) {
     return norm(corners.position() - seed[region]);
   });
 }

@@ -15,11 +15,11 @@ namespace geolloyd {
 
 /// Of a partition, regions free: between nodes distances change evenly.
 std::vector<RegionId> show_partition(const Scene& scene, const MeshGraph& mesh_graph,
-                                     const Partition& partition, Scheduler& scheduler);
+                                     const Partition& partition, Executor& executor);
 
 /// Of the regions, one per node, whose points are nearest to their own seed through space.
 std::vector<RegionId> show_nearest(const Scene& scene, const MeshGraph& mesh_graph,
                                    std::span<const RegionId> region_of_node,
-                                   std::span<const Vec3> seed_position, Scheduler& scheduler);
+                                   std::span<const Vec3> seed_position, Executor& executor);
 
 }  // namespace geolloyd

@@ -22,8 +22,6 @@ const std::vector<Named<View>> view_names = {
 };
 
 constexpr double margin = 0.02;  // of the picture's width and height, on each side
-constexpr int least_side = 64;
-constexpr int most_side = 8192;  // nine samples a pixel: 18 GB (memory_estimate.h)
 
 // The two numbers of "3,4" or "3x4", and nothing else.
 template <class Number>

@@ -17,6 +17,10 @@ struct View {
 /// "front", "back", "left", "right", "top", "bottom" or "AZIMUTH,ELEVATION". Throws InvalidInput.
 View parse_view(const std::string& text);
 
+/// Of the sides of a picture, pixels. Nine samples a pixel: the largest picture takes 18 GB.
+inline constexpr int least_side = 64;
+inline constexpr int most_side = 8192;
+
 /// Of a picture, in pixels. Height 0: as high as what it shows.
 struct Size {
   int width = 0;

@@ -53,7 +53,7 @@ std::string describe(ViolationsLeft why) {
 }
 
 // Why the remesh is no manifold of the input's topology; empty where it is one.
-std::string find_flaw(const Remesh& remesh) {
+std::string find_flaw(const GraphRemesh& remesh) {
   if (remesh.is_manifold() && remesh.has_input_topology() && remesh.violations_left.empty()) {
     return "";
   }
@@ -84,7 +84,7 @@ Json violations_part(std::span<const ClosedBallViolation> violations) {
 
 }  // namespace
 
-std::string describe(const Remesh& remesh) {
+std::string describe(const GraphRemesh& remesh) {
   std::string text =
       fmt::format("  {:<12}{}, {}, Euler characteristic {}, {}\n", "remesh",
                   counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
@@ -111,7 +111,7 @@ std::string describe(const Remesh& remesh) {
   return text;
 }
 
-Json remesh_part(const Remesh& remesh) {
+Json remesh_part(const GraphRemesh& remesh) {
   const std::string flaw = find_flaw(remesh);
   return {{"vertices", remesh.mesh.vertex_count()},
           {"triangles", remesh.mesh.triangle_count()},

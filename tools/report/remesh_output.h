@@ -8,9 +8,9 @@
 namespace geolloyd {
 
 /// The lines of the summary.
-std::string describe(const Remesh& remesh);
+std::string describe(const GraphRemesh& remesh);
 
 /// Its part of report.json.
-Json remesh_part(const Remesh& remesh);
+Json remesh_part(const GraphRemesh& remesh);
 
 }  // namespace geolloyd

@@ -5,8 +5,9 @@
 
 namespace geolloyd {
 
-Remesh make_remesh(const RemeshInput& input, const RemeshRequest& request, Scheduler& scheduler) {
-  RemeshOptions options;
+GraphRemesh make_remesh(const RemeshInput& input, const RemeshRequest& request,
+                        Scheduler& scheduler) {
+  GraphRemeshOptions options;
   options.manifold = request.manifold;
   options.keep_going = [] { return !interrupted(); };
   if (request.vertices == RemeshVertices::centroids) {

@@ -13,6 +13,7 @@ struct RemeshRequest {
 };
 
 /// An interrupt (interrupt.h) ends the adding of seeds.
-Remesh make_remesh(const RemeshInput& input, const RemeshRequest& request, Scheduler& scheduler);
+GraphRemesh make_remesh(const RemeshInput& input, const RemeshRequest& request,
+                        Scheduler& scheduler);
 
 }  // namespace geolloyd

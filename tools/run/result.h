@@ -18,7 +18,7 @@ struct Result {
   std::size_t threads = 0;  ///< of the relaxation
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
-  Remesh remesh;
+  GraphRemesh remesh;
   std::vector<RegionSummary> regions;
   bool interrupted = false;  ///< before the results were written: they may be less than otherwise
 };

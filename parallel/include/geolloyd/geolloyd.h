@@ -12,11 +12,14 @@
 /// that says what, where and what to do; nothing is printed, and no function exits. Functions have
 /// no state: several threads may call them at once, each with a runtime of its own.
 ///
-/// Targets: geolloyd::core (all but Threads), geolloyd::parallel (Threads, and this header).
+/// Targets: geolloyd::core (all but Threads), geolloyd::parallel (Threads, and this header);
+/// geolloyd::evaluation (evaluation.h) and geolloyd::render (render.h) have headers of their own.
 
 #include "geolloyd/choices.h"     // enumerations, progress
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
+#include "geolloyd/measure.h"     // quality and topology of a mesh
 #include "geolloyd/mesh.h"        // Mesh, read_mesh, write_mesh
+#include "geolloyd/remesh.h"      // remesh
 #include "geolloyd/runtime.h"     // Runtime: who computes
 #include "geolloyd/tessellate.h"  // tessellate, voronoi
 #include "geolloyd/threads.h"     // Threads

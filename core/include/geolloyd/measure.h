@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "geolloyd/mesh.h"
+
+namespace geolloyd {
+
+/// The figures by which remeshes are compared. Every triangle of the mesh counts, degenerate and
+/// duplicate ones as well. A vertex is inner where each of its edges, at least one, has exactly two
+/// triangles; its valence is the number of these edges. Without triangles, or without inner
+/// vertices, what is a mean or a share of them is not a number.
+struct MeshQuality {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  double smallest_angle = none;       ///< of all triangles, degrees
+  double mean_smallest_angle = none;  ///< mean of each triangle's smallest one, degrees
+  double share_under_30 = none;       ///< of triangles whose smallest angle is under 30 degrees
+  double smallest_quality = none;
+  double mean_quality = none;
+  std::size_t inner_vertices = 0;
+  double share_valence_6 = none;       ///< of inner vertices
+  double share_valence_5_to_7 = none;  ///< of inner vertices
+};
+
+/// Throws InvalidInput where the mesh is not valid.
+MeshQuality measure_quality(const Mesh& mesh);
+
+/// What a connected part of a surface is like up to bending: with orientability, all that
+/// distinguishes surfaces with boundary (classification of compact surfaces).
+struct PartTopology {
+  std::int64_t euler_characteristic = 0;
+  std::size_t boundary_loops = 0;
+
+  friend bool operator==(const PartTopology&, const PartTopology&) = default;
+  friend bool operator<(const PartTopology& a, const PartTopology& b) {
+    return std::tie(a.euler_characteristic, a.boundary_loops) <
+           std::tie(b.euler_characteristic, b.boundary_loops);
+  }
+};
+
+struct MeshTopology {
+  std::vector<PartTopology> parts;        ///< of vertices connected by edges; ascending
+  std::size_t non_manifold_edges = 0;     ///< three and more triangles
+  std::size_t non_manifold_vertices = 0;  ///< whose triangles, joined across edges, are not one fan
+  std::size_t inconsistent_edges = 0;     ///< two triangles of opposite orientation
+
+  [[nodiscard]] bool is_manifold() const {
+    return non_manifold_edges == 0 && non_manifold_vertices == 0;
+  }
+  /// Of all parts together.
+  [[nodiscard]] PartTopology total() const;
+
+  friend bool operator==(const MeshTopology&, const MeshTopology&) = default;
+};
+
+/// Of the triangles that have three vertices, and of the vertices they name. Throws InvalidInput
+/// where the mesh is not valid.
+MeshTopology find_topology(const Mesh& mesh);
+
+}  // namespace geolloyd

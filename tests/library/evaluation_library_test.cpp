@@ -1,0 +1,86 @@
+// The public headers of evaluation and render.
+#include <geolloyd/errors.h>
+#include <geolloyd/evaluation.h>
+#include <geolloyd/render.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/shapes/shapes.h"
+#include "core/text/file_io.h"
+#include "tests/support/temporary_folder.h"
+
+namespace geolloyd {
+namespace {
+
+Tessellation tessellation_of(const Mesh& mesh, std::size_t seeds) {
+  TessellateOptions options;
+  options.seed_count = seeds;
+  return tessellate(mesh, options);
+}
+
+TEST(EvaluationLibrary, TheGroundTruthSpeaksInputIds) {
+  const Mesh mesh = icosphere(2000);
+  const Tessellation tessellation = tessellation_of(mesh, 12);
+  const Evaluation found = evaluate(mesh, tessellation);
+  ASSERT_EQ(found.region.size(), mesh.vertex_count());
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    const auto distance_to = [&](RegionId r) {
+      return (mesh.positions[v] - mesh.positions[tessellation.regions[r].seed]).squaredNorm();
+    };
+    for (RegionId r = 0; r < 12; ++r) {
+      EXPECT_LE(distance_to(found.region[v]), distance_to(r) * (1 + 1e-12));
+    }
+  }
+  EXPECT_GT(found.node_agreement, 0.8);
+  EXPECT_LE(found.energy, found.graph_energy);
+  EXPECT_EQ(found.centroid.size(), 12U);
+}
+
+TEST(EvaluationLibrary, ConcentricSpheresAreTheirRadiiApart) {
+  const Mesh sphere = icosphere(20000);
+  Mesh larger = sphere;
+  for (Vec3& p : larger.positions) p *= 1.5;
+  const double radius = sphere.positions[0].norm();
+  const SurfaceDistance distance = measure_distance(sphere, larger, 1000);
+  EXPECT_NEAR(distance.two_sided().mean, radius / 2, 1e-3 * radius);
+}
+
+TEST(EvaluationLibrary, RefusesWhatMakesNoSense) {
+  const Mesh mesh = icosphere(80);
+  const Mesh other = icosphere(320);
+  const Tessellation tessellation = tessellation_of(mesh, 3);
+  const Mesh flat = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+  EXPECT_THROW(evaluate(other, tessellation), InvalidInput);
+  EXPECT_THROW(evaluate(mesh, {}), InvalidInput);
+  EXPECT_THROW(measure_distance(mesh, {}, 10), InvalidInput);
+  EXPECT_THROW(measure_distance(mesh, flat, 10), InvalidInput);
+  EXPECT_THROW(measure_distance(mesh, mesh, 0), InvalidInput);
+}
+
+TEST(RenderLibrary, DrawsAPictureOrNothing) {
+  const TemporaryFolder folder;
+  const Mesh mesh = icosphere(320);
+  const Tessellation tessellation = tessellation_of(mesh, 5);
+  const auto picture = folder.path() / "picture.png";
+  RenderOptions options;
+  options.width = options.height = 128;
+  render(picture, mesh, tessellation, options);
+  EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
+  render(folder.path() / "mesh.png", mesh, options);
+  EXPECT_NE(read_file(folder.path() / "mesh.png"), read_file(picture));
+
+  const auto refused = folder.path() / "refused.png";
+  options.width = 20;
+  EXPECT_THROW(render(refused, mesh, options), InvalidInput);
+  options.width = 128;
+  options.elevation = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(render(refused, mesh, options), InvalidInput);
+  EXPECT_THROW(render(refused, icosphere(80), tessellation), InvalidInput);
+  EXPECT_FALSE(std::filesystem::exists(refused));
+}
+
+}  // namespace
+}  // namespace geolloyd

@@ -1,0 +1,40 @@
+#include "geolloyd/evaluation.h"
+
+#include <utility>
+
+#include "core/library/tessellated_graph.h"
+#include "geolloyd/errors.h"
+#include "tools/evaluation/ground_truth.h"
+#include "tools/evaluation/surface_distance.h"
+
+namespace geolloyd {
+
+Evaluation evaluate(const Mesh& mesh, const Tessellation& tessellation, Runtime& runtime) {
+  const TessellatedGraph& tessellated = internals_of(tessellation, mesh);
+  const MeshGraph& made = tessellated.mesh_graph;
+  GroundTruth truth =
+      make_ground_truth(runtime.executor(), mesh, made, tessellated.relaxation.partition,
+                        tessellated.relaxation.seeds);
+  Evaluation result;
+  result.region.assign(made.node_of.size(), no_id);
+  for (NodeId v = 0; v < truth.region.size(); ++v)
+    result.region[made.input_id[v]] = truth.region[v];
+  result.centroid = std::move(truth.surface_centroid);
+  result.node_agreement = truth.node_agreement;
+  result.area_agreement = truth.area_agreement;
+  result.mean_distance_in_radii = truth.distance_in_radii.mean();
+  result.energy = truth.energy;
+  result.graph_energy = truth.graph_energy;
+  result.energy_of_hexagonal_tiling = truth.hexagonal;
+  return result;
+}
+
+SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::size_t samples,
+                                 Runtime& runtime) {
+  validate(first);
+  validate(second);
+  if (samples == 0) throw InvalidInput("samples: at least 1");
+  return measure_distance(runtime.executor(), first, second, samples);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geolloyd/mesh.h"
+#include "geolloyd/runtime.h"
+#include "geolloyd/tessellate.h"
+
+namespace geolloyd {
+
+/// What a tessellation is judged by (thesis, section 6.1): the partition of the nodes by Euclidean
+/// distance to the seeds, found exactly (Embree), instead of distance along the graph.
+struct Evaluation {
+  std::vector<RegionId> region;  ///< per input id: of the nearest seed, the smaller of equals
+  std::vector<Vec3> centroid;    ///< per region: the point of the surface nearest to its centroid
+  double node_agreement = 1;     ///< share of nodes that the graph puts into the same region
+  double area_agreement = 1;     ///< the same by area
+  double mean_distance_in_radii = 0;      ///< from seed to centroid, over the radius of a disc of
+                                          ///< the region's area
+  double energy = 0;                      ///< sum of mass * |node - seed|^2, mesh units
+  double graph_energy = 0;                ///< the same sum, with the graph's regions
+  double energy_of_hexagonal_tiling = 0;  ///< of the plane, with as much area and as many regions
+};
+
+/// `tessellation` is one of this `mesh`. Throws InvalidInput where it is not.
+Evaluation evaluate(const Mesh& mesh, const Tessellation& tessellation,
+                    Runtime& runtime = reference_runtime());
+
+/// How far points of a surface are from another, mesh units.
+struct DistanceFigures {
+  double mean = 0;
+  double rms = 0;      ///< root of the mean square
+  double largest = 0;  ///< one-sided Hausdorff distance, as far as samples and vertices find it
+};
+
+/// How far two surfaces are apart (Cignoni et al. 1998, Metro). Mean and RMS are those of samples
+/// spread evenly by area, the largest is that of the samples and all vertices of triangles.
+struct SurfaceDistance {
+  DistanceFigures from_first;  ///< of points of the first surface to the second
+  DistanceFigures from_second;
+
+  /// The larger of both directions, figure by figure.
+  [[nodiscard]] DistanceFigures two_sided() const;
+};
+
+/// With so many samples on each surface, at least 1. Throws InvalidInput where a mesh is not valid
+/// or has no area.
+SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::size_t samples,
+                                 Runtime& runtime = reference_runtime());
+
+}  // namespace geolloyd
