@@ -186,7 +186,10 @@ class Reading {
   }
 
   void send(int signal) const { running_->send(signal); }
-  void end_mesh() { (mesh_ << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").close(); }
+  void end_mesh() {
+    mesh_ << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    mesh_.close();
+  }
   int wait() { return running_->wait(); }
   [[nodiscard]] std::string text() const { return read_file(text_); }
   [[nodiscard]] const fs::path& out() const { return out_; }
