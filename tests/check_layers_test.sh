@@ -39,6 +39,8 @@ finds core/mesh/mesh.h 'knows Embree' '#include <embree4/rtcore.h>'
 finds tools/run/stages.h 'knows Cairo' '#include <cairo/cairo.h>'
 finds tools/report/report.h 'knows CLI11' '#include <CLI/CLI.hpp>'
 finds bench/suites/main.cpp 'needs the tools' '#include "tools/words/names.h"'
+finds core/include/geolloyd/mesh.h 'includes from a later room' '#include "geolloyd/threads.h"'
+finds parallel/include/geolloyd/threads.h 'is public, but includes what is not' '#include "core/base/types.h"'
 finds core/attic/old.h 'the folder is not in the table of tests/check_layers.sh' '#include "core/base/types.h"'
 "$check" "$copy" || { echo 'the copy did not become whole again'; status=1; }
 
