@@ -631,7 +631,9 @@ std::string rows(const PlanePolygon& polygon, const std::string& opening) {
 
 std::string face(const PlanePolygon& polygon, std::size_t first) {
   std::string text;
-  for (std::size_t i = 0; i < polygon.corners.size(); ++i) text += " " + std::to_string(first + i);
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+    text += std::string(" ").append(std::to_string(first + i));
+  }
   return text + "\n";
 }
 

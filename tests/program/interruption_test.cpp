@@ -212,6 +212,21 @@ TEST(Interrupts, BeforeTheRelaxationEndItAtOnceWithOneLine) {
   }
 }
 
+// Whatever the first one does, and until it ends in whatever way.
+TEST_F(Program, RefusesASecondRunIntoAFolder) {
+  fs::create_directory(out());
+  Reading first(folder_.path());
+  for (const std::string command : {"relax ", "compare ", "profile ", "batch ", "ground-truth "}) {
+    expect_complaint(geolloyd_with(command + mesh_.string() + " -k 5 -o " + out().string()),
+                     "/out: another run writes into this folder: wait for its end, or give");
+  }
+  expect_complaint(relax("-k 5 --frames " + out().string(), "other"), "/out: another run writes");
+  EXPECT_EQ(names_in(out()), std::set<std::string>{});
+  first.send(SIGKILL);
+  first.wait();
+  EXPECT_EQ(relax("-k 5 --size 64 --frames " + out().string()).status, 0);
+}
+
 TEST(Interrupts, LeaveARunUnderNohupAlone) {
   const TemporaryFolder folder;
   auto* const before = std::signal(SIGHUP, SIG_IGN);

@@ -10,6 +10,7 @@
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
+#include "tools/files/folder_lock.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/remesh_output.h"
@@ -127,8 +128,7 @@ void warn_of_few_nodes(const Start& start, ProgressLine& progress) {
              counted(seeds, "seed", "seeds"), enough);
 }
 
-void check_relax(const RelaxArguments& arguments) {
-  check_seeds(arguments.start.seeds);
+void check_checkpoint(const RelaxArguments& arguments) {
   const std::filesystem::path checkpoint = checkpoint_path(arguments.output);
   std::error_code error;
   const bool is_there = std::filesystem::exists(checkpoint, error);
@@ -180,7 +180,9 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
 }
 
 void run_relax(const RelaxArguments& arguments) {
-  check_relax(arguments);
+  check_seeds(arguments.start.seeds);
+  lock_folder(arguments.output);  // where it is there: before the mesh is read
+  check_checkpoint(arguments);
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
@@ -189,6 +191,7 @@ void run_relax(const RelaxArguments& arguments) {
   ResumableRelaxation relaxation(arguments, start);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
+  check_checkpoint(arguments);  // another run may have made the folder meanwhile
   EndedRelaxation ended = relaxation.relax(scheduler, progress);
   Cost cost;
   cost.relax_seconds = ended.seconds;

@@ -5,6 +5,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
+#include "tools/files/folder_lock.h"
 
 namespace geolloyd {
 
@@ -32,6 +33,7 @@ void prepare_folder(const std::filesystem::path& folder, std::span<const char* c
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw IoError(folder.string() + ": cannot make folder: " + error.message());
+  lock_folder(folder);
   for (const char* name : names) check_target(folder / name, others);
 }
 

@@ -14,7 +14,8 @@ void check_target(const std::filesystem::path& target,
 /// of ours.
 void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other);
 
-/// Makes the folder and checks each target in it, before hours of work depend on it.
+/// Makes the folder, locks it (folder_lock.h) and checks each target in it, before hours of work
+/// depend on it.
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,
                     std::span<const std::filesystem::path> others);
 
