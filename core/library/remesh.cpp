@@ -25,6 +25,7 @@ Remesh remesh(const Mesh& mesh, const Tessellation& tessellation, const RemeshOp
     result.seeds.push_back(tessellated.mesh_graph.input_id[seed]);
   }
   result.seeds_added = made.seeds_added;
+  result.interrupted = made.interrupted;
   result.violations_left = made.violations_left.size();
   result.flipped = made.flipped;
   result.flat = made.flat;

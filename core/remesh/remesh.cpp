@@ -38,14 +38,10 @@ Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
   return roundness;
 }
 
-bool goes_on(const GraphRemeshOptions& options) {
-  return !options.keep_going || options.keep_going();
-}
-
 ViolationsLeft why_left(const GraphRemesh& remesh, const GraphRemeshOptions& options) {
   if (!any_removable(remesh.violations_left)) return ViolationsLeft::none;
   if (!options.manifold) return ViolationsLeft::not_asked;
-  if (!goes_on(options)) return ViolationsLeft::stopped;
+  if (remesh.interrupted) return ViolationsLeft::stopped;
   const std::size_t asked_for = remesh.seeds.size() - remesh.seeds_added;
   const bool is_bounded = remesh.input_topology.non_manifold_edges > 0 &&
                           remesh.seeds_added == most_seeds_added(asked_for);
@@ -102,8 +98,10 @@ GraphRemesh make_remesh(const RemeshInput& input, const GraphRemeshOptions& opti
       [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });
   remesh.violations_found = dualised.dual.violations;
   if (options.manifold && !remesh.violations_found.empty()) {
-    dualised = repair_dual(dual_input, input.engine, std::move(dualised),
-                           [&options] { return goes_on(options); });
+    dualised = repair_dual(dual_input, input.engine, std::move(dualised), [&] {
+      remesh.interrupted = remesh.interrupted || (options.keep_going && !options.keep_going());
+      return !remesh.interrupted;
+    });
   }
   fill_in(remesh, input, std::move(dualised), options);
   return remesh;

@@ -37,6 +37,7 @@ struct GraphRemesh {
   std::vector<ClosedBallViolation> violations_found;  ///< before seeds were added
   std::vector<ClosedBallViolation> violations_left;
   ViolationsLeft why_left = ViolationsLeft::none;
+  bool interrupted = false;      ///< keep_going ended the adding of seeds, or their moving
   std::size_t repeated = 0;      ///< corners left out, their triangle being there already
   std::size_t back_to_back = 0;  ///< triangles on others of opposite orientation
   std::size_t flipped = 0;       ///< triangles that face away from the surface

@@ -389,6 +389,15 @@ TEST_P(Interrupt, EndsWithAMarkedResultThatCanBeContinued) {
   EXPECT_EQ(report["end"], "interrupted");
   EXPECT_EQ(report["interrupted"], true);
   EXPECT_LE(report["energy"], report["energy_initial"]);
+  std::size_t violations = 0;
+  for (const nlohmann::json& count : report["remesh"]["closed_ball_violations_found"]) {
+    violations += count.get<std::size_t>();
+  }
+  const bool needs_seeds = violations > 0;
+  EXPECT_EQ(report["remesh"]["interrupted"], needs_seeds);
+  EXPECT_EQ(read_file(folder_.path() / "text").find("INTERRUPTED while seeds were added") !=
+                std::string::npos,
+            needs_seeds);
   EXPECT_NE(read_file(folder_.path() / "text").find("INTERRUPTED"), std::string::npos);
   EXPECT_EQ(lines_of(out() / "seeds.csv").size(), 7U);
 

@@ -94,6 +94,7 @@ std::string describe(const GraphRemesh& remesh) {
     text += line(counted(remesh.seeds_added, "seed", "seeds") +
                  " added where regions did not meet as they should");
   }
+  if (remesh.interrupted) text += line("INTERRUPTED while seeds were added");
   text += line_if(remesh.flipped, "triangle faces away from the surface",
                   "triangles face away from the surface");
   text += line_if(remesh.flat, "triangle without area", "triangles without area");
@@ -116,6 +117,7 @@ Json remesh_part(const GraphRemesh& remesh) {
   return {{"vertices", remesh.mesh.vertex_count()},
           {"triangles", remesh.mesh.triangle_count()},
           {"seeds_added", remesh.seeds_added},
+          {"interrupted", remesh.interrupted},
           {"reassigned_points", remesh.reassigned_points},
           {"is_manifold", remesh.is_manifold()},
           {"has_input_topology", remesh.has_input_topology()},

@@ -22,6 +22,7 @@ struct Remesh {
   Mesh mesh;                    ///< may have no triangles, as with one region
   std::vector<InputId> seeds;   ///< per vertex
   std::size_t seeds_added = 0;  ///< where regions did not meet as they should
+  bool interrupted = false;     ///< keep_going ended the adding of seeds
   bool is_manifold = false;
   bool has_input_topology = false;  ///< components, Euler characteristics, boundary loops
   bool is_input_manifold = false;
