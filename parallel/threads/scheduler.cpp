@@ -4,6 +4,8 @@
 #include <exception>
 #include <thread>
 
+#include "parallel/threads/available_cores.h"
+
 namespace geolloyd {
 namespace {
 
@@ -29,8 +31,7 @@ void enter(void* context, std::size_t worker) {
 }
 
 std::size_t resolve(std::size_t threads) {
-  const std::size_t all = std::thread::hardware_concurrency();
-  return threads != 0 ? threads : all != 0 ? all : 1;
+  return threads != 0 ? threads : available_cores();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace geolloyd {
 /// threads, on the backend, or on who did what.
 class Scheduler final : public Executor {
  public:
-  /// `threads` 0: as many as the machine has. More than that is allowed, and slower.
+  /// `threads` 0: as many as can run at once (available_cores.h). More are allowed, and slower.
   explicit Scheduler(std::size_t threads = 0, Backend backend = Backend::tbb);
   [[nodiscard]] Backend backend() const { return backend_; }
 
@@ -25,7 +25,7 @@ class Scheduler final : public Executor {
   TbbPoolPointer tbb_;  // null where not used
 };
 
-/// Numbers of threads to compare: 1, 2, 4 and so on, up to all that the machine has.
+/// Numbers of threads to compare: 1, 2, 4 and so on, up to all that can run at once.
 std::vector<std::size_t> thread_ladder();
 
 }  // namespace geolloyd

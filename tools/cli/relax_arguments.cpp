@@ -105,9 +105,9 @@ void add_frontier_option(CLI::App& command, EngineArguments& engine) {
 }
 
 void add_thread_options(CLI::App& command, ThreadArguments& threads) {
-  whole_number(
-      command.add_option("--threads", threads.count, "How many (default: all the machine has)"), 1,
-      most_threads)
+  whole_number(command.add_option("--threads", threads.count,
+                                  "How many (default: as many as can run at once)"),
+               1, most_threads)
       ->group(thread_group);
   add_choice(command, "--backend", threads.backend, backend_names,
              "Whose threads: oneTBB's or OpenMP's")

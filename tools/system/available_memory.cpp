@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "parallel/threads/control_groups.h"
+
 namespace geolloyd {
 namespace {
 
@@ -57,35 +59,14 @@ std::uint64_t held_by_group(const std::filesystem::path& folder, const GroupFile
   return usage - std::min(usage, cached);
 }
 
-// The least of a group and those it is in. A container may see its own group as the root.
-std::uint64_t left_in_groups(const std::filesystem::path& mount, std::filesystem::path group,
-                             const GroupFiles& files) {
-  std::uint64_t least = unlimited;
-  for (group = group.relative_path();; group = group.parent_path()) {
-    const std::filesystem::path folder = mount / group;
-    for (const char* limit_file : files.limits) {
-      const auto most = number_in(folder / limit_file);
-      if (most) least = std::min(least, *most - std::min(*most, held_by_group(folder, files)));
-    }
-    if (group.empty()) return least;
-  }
-}
-
-// Lines like "4:memory:/path" and, of version 2, "0::/path".
 std::uint64_t left_in_groups(const std::filesystem::path& root) {
-  std::ifstream in(root / "proc/self/cgroup");
   std::uint64_t least = unlimited;
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t first = line.find(':');
-    const std::size_t second = line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    std::string controllers = line.substr(first, second - first + 1);
-    controllers.front() = controllers.back() = ',';
-    const std::filesystem::path group = line.substr(second + 1);
-    const std::filesystem::path mounts = root / "sys/fs/cgroup";
-    if (controllers == ",,") least = std::min(least, left_in_groups(mounts, group, version_2));
-    if (controllers.find(",memory,") != std::string::npos) {
-      least = std::min(least, left_in_groups(mounts / "memory", group, version_1));
+  for (const ControlGroup& group : control_groups("memory", root)) {
+    const GroupFiles& files = group.version == 1 ? version_1 : version_2;
+    for (const char* limit_file : files.limits) {
+      const auto most = number_in(group.folder / limit_file);
+      if (most)
+        least = std::min(least, *most - std::min(*most, held_by_group(group.folder, files)));
     }
   }
   return least;

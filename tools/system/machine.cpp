@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <thread>
 
+#include "parallel/threads/available_cores.h"
 #include "tools/system/build_facts.h"
 
 namespace geolloyd {
@@ -37,7 +37,7 @@ std::uint64_t memory_bytes() {
 
 Machine this_machine() {
   const utsname names = kernel();
-  return {processor_name(), std::thread::hardware_concurrency(), memory_bytes(),
+  return {processor_name(), available_cores(), memory_bytes(),
           fmt::format("{} {}", names.sysname, names.machine), compiler_name()};
 }
 

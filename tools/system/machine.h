@@ -9,7 +9,7 @@ namespace geolloyd {
 /// Where and by what a time was measured.
 struct Machine {
   std::string processor;
-  std::size_t threads = 0;  ///< that run at once
+  std::size_t threads = 0;  ///< that can run at once
   std::uint64_t memory_bytes = 0;
   std::string system;    ///< and architecture
   std::string compiler;  ///< this program's

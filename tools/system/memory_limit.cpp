@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "geolloyd/errors.h"
+#include "parallel/threads/available_cores.h"
 #include "tools/system/available_memory.h"
 
 namespace geolloyd {
@@ -87,7 +88,7 @@ void limit_memory(std::uint64_t bytes) {
 }
 
 void make_room_for_threads(std::size_t count) {
-  if (count == 0) count = std::max(std::thread::hardware_concurrency(), 1U);
+  if (count == 0) count = available_cores();
   const std::uint64_t stacks = stack_bytes() * (count - 1);
   const std::uint64_t left = reservable_memory();
   if (stacks > left) {

@@ -14,7 +14,7 @@ namespace geolloyd {
 void limit_memory(std::uint64_t bytes);
 
 /// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
-/// 0: as many as the machine has. Throws InvalidInput where the shell has no room for them.
+/// 0: as many as can run at once. Throws InvalidInput where the shell has no room for them.
 void make_room_for_threads(std::size_t count);
 
 /// Other programs started meanwhile have the limits that this one found.
