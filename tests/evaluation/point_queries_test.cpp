@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "geolloyd/errors.h"
 #include "tools/evaluation/closest_on_triangle.h"
 #include "tools/evaluation/unit_frame.h"
+#include "tools/render/ray_caster.h"
 
 namespace geolloyd {
 namespace {
@@ -48,7 +51,7 @@ std::uint32_t nearest_by_force(const std::vector<Vec3>& sites, const Vec3& p) {
 // Asks for points inside the box of the sites, around it, and so far away that they are all alike;
 // for the sites themselves, and for the points midway between two, with whatever guess.
 void expect_nearest_as_by_force(const std::vector<Vec3>& sites, double half) {
-  const NearestSite nearest(sites);
+  const NearestSite nearest(sites, 2);
   std::vector<Vec3> asked = sites;
   for (const double far : {1.0, 10.0, 1e4, 1e7, 1e12, 1e20, 1e44}) {
     for (const Vec3& p : random_points(9, 100, far)) asked.emplace_back(p * half);
@@ -121,7 +124,7 @@ SurfacePoint closest_by_force(const Mesh& mesh, const Vec3& p) {
 }
 
 void expect_closest_as_by_force(const Mesh& mesh, const std::vector<Vec3>& asked) {
-  const ClosestPoint surface(mesh);
+  const ClosestPoint surface(mesh, 2);
   for (const Vec3& p : asked) {
     const SurfacePoint expected = closest_by_force(mesh, p);
     const SurfacePoint found = surface.find(p);
@@ -168,7 +171,7 @@ TEST(ClosestPoint, IsThatOfBruteForceOnShapes) {
 
 TEST(ClosestPoint, OfAVertexIsTheVertexAndTheSmallestTriangleThatHasIt) {
   const Mesh mesh = icosphere(500);
-  const ClosestPoint surface(mesh);
+  const ClosestPoint surface(mesh, 2);
   std::vector<TriangleId> first(mesh.vertex_count(), no_id);
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     for (const VertexId v : mesh.triangles[t]) first[v] = std::min(first[v], t);
@@ -203,7 +206,7 @@ TEST(ClosestPoint, OnOneTriangleIsClosestOfAll) {
 
 TEST(ClosestPoint, OnAPlaneIsTheFootOfThePerpendicular) {
   const Mesh plane = irregular_plane(5000, 1);
-  const ClosestPoint surface(plane);
+  const ClosestPoint surface(plane, 2);
   for (std::size_t i = 0; i < 500; ++i) {
     const Vec3 p = random_point(2, i, 2);
     const Vec3 foot(std::clamp(p.x(), 0.0, 1.0), std::clamp(p.y(), 0.0, 1.0), 0);
@@ -213,8 +216,23 @@ TEST(ClosestPoint, OnAPlaneIsTheFootOfThePerpendicular) {
   }
 }
 
+std::size_t threads_of_this_process() {
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  return static_cast<std::size_t>(std::distance(begin(threads), end(threads)));
+}
+
+// Embree starts as many as it is allowed, and they stay: a process of this test alone has none.
+TEST(EmbreeScene, IsMadeByAsManyThreadsAsAllowed) {
+  const std::size_t before = threads_of_this_process();
+  const Mesh mesh = icosphere(100'000);
+  const ClosestPoint surface(mesh, 1);
+  const NearestSite nearest(mesh.positions, 1);
+  const RayCaster caster(mesh, 1);
+  EXPECT_EQ(threads_of_this_process(), before);
+}
+
 TEST(ClosestPoint, NeedsASurface) {
-  EXPECT_THROW(ClosestPoint{Mesh{}}, InvalidInput);
+  EXPECT_THROW(ClosestPoint(Mesh{}, 2), InvalidInput);
 }
 
 }  // namespace

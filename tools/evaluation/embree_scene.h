@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <new>
+#include <string>
 
 #include "core/mesh/mesh.h"
 
@@ -18,10 +19,13 @@ namespace geolloyd {
 
 /// An Embree device with one scene; geometry has 24 bits only (unit_frame.h).
 struct EmbreeScene {
-  RTCDevice device = rtcNewDevice(nullptr);
-  RTCScene scene = rtcNewScene(device);
+  RTCDevice device;
+  RTCScene scene;
 
-  EmbreeScene() = default;
+  /// `threads` make the scene.
+  explicit EmbreeScene(std::size_t threads)
+      : device(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())),
+        scene(rtcNewScene(device)) {}
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene() {

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<RegionId> nearest_seeds(Executor& executor, const MeshGraph& mesh_graph,
                                     const Partition& partition, std::span<const Vec3> seeds) {
-  const NearestSite nearest(seeds);
+  const NearestSite nearest(seeds, executor.threads());
   std::vector<RegionId> region(mesh_graph.position.size(), no_id);
   parallel_for(executor, region.size(), small_items, [&](std::size_t v) {
     const RegionId guess = region_of(partition.key[v]);
@@ -82,7 +82,7 @@ double mean_triangle_side(const Mesh& mesh) {
 
 void measure_distances(GroundTruth& truth, Executor& executor, const Mesh& mesh,
                        std::span<const Vec3> seeds) {
-  const ClosestPoint surface(mesh);
+  const ClosestPoint surface(mesh, executor.threads());
   truth.surface_centroid.resize(seeds.size());
   parallel_for(executor, seeds.size(), 16, [&](std::size_t r) {
     truth.surface_centroid[r] = surface.find(truth.centroid[r]).position;

@@ -58,7 +58,8 @@ struct NearestSite::Scene : EmbreeScene {
   std::vector<Vec3> sites;
   UnitFrame frame;
 
-  explicit Scene(std::span<const Vec3> all) : sites(all.begin(), all.end()), frame(all) {
+  Scene(std::span<const Vec3> all, std::size_t threads)
+      : EmbreeScene(threads), sites(all.begin(), all.end()), frame(all) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(sites.size()));
     rtcSetGeometryBoundsFunction(geometry, find_bounds, this);
@@ -76,7 +77,8 @@ struct NearestSite::Scene : EmbreeScene {
   }
 };
 
-NearestSite::NearestSite(std::span<const Vec3> sites) : scene_(std::make_unique<Scene>(sites)) {}
+NearestSite::NearestSite(std::span<const Vec3> sites, std::size_t threads)
+    : scene_(std::make_unique<Scene>(sites, threads)) {}
 
 NearestSite::~NearestSite() = default;
 
@@ -109,7 +111,8 @@ struct ClosestPoint::Scene : EmbreeScene {
   const Mesh& mesh;
   UnitFrame frame;
 
-  explicit Scene(const Mesh& whole) : mesh(whole), frame(whole.positions) {
+  Scene(const Mesh& whole, std::size_t threads)
+      : EmbreeScene(threads), mesh(whole), frame(whole.positions) {
     if (mesh.triangles.empty()) throw InvalidInput("a mesh without triangles has no surface");
     commit(triangles(frame(mesh)));
   }
@@ -124,7 +127,8 @@ struct ClosestPoint::Scene : EmbreeScene {
   }
 };
 
-ClosestPoint::ClosestPoint(const Mesh& mesh) : scene_(std::make_unique<Scene>(mesh)) {}
+ClosestPoint::ClosestPoint(const Mesh& mesh, std::size_t threads)
+    : scene_(std::make_unique<Scene>(mesh, threads)) {}
 
 ClosestPoint::~ClosestPoint() = default;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,8 +13,8 @@ namespace geolloyd {
 /// dot(p - site, p - site), the smaller index of equals. find() may be called by many threads.
 class NearestSite {
  public:
-  /// Keeps a copy of the sites. At least one.
-  explicit NearestSite(std::span<const Vec3> sites);
+  /// Keeps a copy of the sites. At least one. `threads` put them in order.
+  NearestSite(std::span<const Vec3> sites, std::size_t threads);
   NearestSite(const NearestSite&) = delete;
   NearestSite& operator=(const NearestSite&) = delete;
   ~NearestSite();
@@ -38,8 +39,9 @@ struct SurfacePoint {
 /// that they are. find() may be called by many threads.
 class ClosestPoint {
  public:
-  /// Keeps a reference to the mesh. Throws InvalidInput where it has no triangle.
-  explicit ClosestPoint(const Mesh& mesh);
+  /// Keeps a reference to the mesh, whose triangles `threads` put in order. Throws InvalidInput
+  /// where it has none.
+  ClosestPoint(const Mesh& mesh, std::size_t threads);
   ClosestPoint(const ClosestPoint&) = delete;
   ClosestPoint& operator=(const ClosestPoint&) = delete;
   ~ClosestPoint();

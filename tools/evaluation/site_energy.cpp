@@ -12,7 +12,7 @@ namespace geolloyd {
 
 double site_energy(Executor& executor, std::span<const Vec3> points, std::span<const double> mass,
                    std::span<const Vec3> sites) {
-  const NearestSite nearest(sites);
+  const NearestSite nearest(sites, executor.threads());
   std::vector<double> of_range(points.size() / small_items + 1, 0);
   parallel_for_ranges(executor, points.size(), small_items,
                       [&](std::size_t begin, std::size_t end, std::size_t) {

@@ -66,7 +66,7 @@ double largest_of_vertices(Executor& executor, const Mesh& mesh, const ClosestPo
 
 DistanceFigures one_sided(Executor& executor, const Mesh& from, const Mesh& to,
                           std::size_t samples) {
-  const ClosestPoint closest(to);
+  const ClosestPoint closest(to, executor.threads());
   const Sums sums =
       sum_over_samples(executor, SurfaceSamples(from, samples, sampling_seed), closest);
   const auto count = static_cast<double>(samples);

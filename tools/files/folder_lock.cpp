@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "core/base/errors.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {

@@ -17,6 +17,8 @@ constexpr auto all_valid = [] {
 }  // namespace
 
 struct RayCaster::Scene : EmbreeScene {
+  using EmbreeScene::EmbreeScene;
+
   void intersect(RTCRayHit16& rays) const {
     alignas(64) const auto valid = all_valid;
 #if RTC_VERSION_MAJOR >= 4
@@ -33,7 +35,8 @@ struct RayCaster::Scene : EmbreeScene {
   }
 };
 
-RayCaster::RayCaster(const Mesh& mesh) : scene_(std::make_unique<Scene>()) {
+RayCaster::RayCaster(const Mesh& mesh, std::size_t threads)
+    : scene_(std::make_unique<Scene>(threads)) {
   scene_->commit(scene_->triangles(mesh));
 }
 

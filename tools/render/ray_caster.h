@@ -21,7 +21,8 @@ class RayCaster {
  public:
   static constexpr std::size_t packet = 16;  ///< rays at a time; fastest where these are near
 
-  explicit RayCaster(const Mesh& mesh);
+  /// `threads` put the triangles in order.
+  RayCaster(const Mesh& mesh, std::size_t threads);
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
   ~RayCaster();

@@ -50,7 +50,7 @@ void cast_tile(const RayCaster& caster, int column, int row, Scene& scene) {
 }
 
 void cast_all(Scene& scene, Executor& executor) {
-  const RayCaster caster(scene.mesh);
+  const RayCaster caster(scene.mesh, executor.threads());
   scene.hit.resize(scene.grid.count());
   const int tile_rows = (scene.grid.rows() + tile - 1) / tile;
   parallel_for(executor, static_cast<std::size_t>(tile_rows), 1, [&](std::size_t r) {
