@@ -659,10 +659,11 @@ TEST(Polygons, ConcaveOnesKeepTheirAreaInAllFormats) {
     for (std::int32_t i = 0; i < std::ssize(polygon.corners); ++i) {
       binary += raw(i, std::endian::little);
     }
+    const std::string obj_face = std::string("f").append(face(polygon, 1));
     const std::vector<std::pair<MeshFormat, std::string>> files = {
         {MeshFormat::off, "OFF\n" + n + " 1 0\n" + rows(polygon, "") + row},
-        {MeshFormat::obj, rows(polygon, "v ") + "f" + face(polygon, 1)},
-        {MeshFormat::obj, "f" + face(polygon, 1) + rows(polygon, "v ")},
+        {MeshFormat::obj, rows(polygon, "v ") + obj_face},
+        {MeshFormat::obj, obj_face + rows(polygon, "v ")},
         {MeshFormat::ply, ply + vertex + faces + "end_header\n" + rows(polygon, "") + row},
         {MeshFormat::ply, ply + faces + vertex + "end_header\n" + row + rows(polygon, "")},
         {MeshFormat::ply, binary}};
