@@ -20,20 +20,20 @@ constexpr std::pair<const char*, GraphKind> kinds[] = {
 };
 
 template <class Work, class Expected>
-void measure_twin(Run& run, Work&& work, const Expected& expected) {
-  run.verify("not the bytes of the sequential twin", [&] { return same_bytes(work(), expected); });
+void measure_same_bytes(Run& run, Work&& work, const Expected& expected) {
+  run.verify("not the bytes of the calling thread", [&] { return same_bytes(work(), expected); });
   run.measure(work);
 }
 
 template <class Find>
 void measure_edges(Run& run, Find&& find) {
-  measure_twin(run, find, run.inputs().edges());
+  measure_same_bytes(run, find, run.inputs().edges());
   run.rate("triangles/s", run.inputs().mesh().triangle_count());
 }
 
 template <class Check>
 void measure_check(Run& run, Check&& check) {
-  measure_twin(run, check, run.inputs().facts());
+  measure_same_bytes(run, check, run.inputs().facts());
   run.rate("triangles/s", run.inputs().mesh().triangle_count());
 }
 
@@ -45,7 +45,7 @@ std::size_t bytes_of(const Graph& graph) {
 template <class Make>
 void measure_graph(Run& run, GraphKind kind, Make&& make) {
   const MeshGraph& expected = run.inputs().mesh_graph(kind);
-  measure_twin(run, make, expected);
+  measure_same_bytes(run, make, expected);
   run.rate_of_graph(expected.graph);
   run.count("graph_bytes", bytes_of(expected.graph));
 }

@@ -66,7 +66,7 @@ void sum_in_parallel(Run& run) {
   IncrementalPartition free(scheduler, graph, Frontier::delta, seconds);
   free.update(solved.seeds);
   const auto work = [&] { free.update_sums(); };
-  run.verify("not the sums of the sequential twin", [&] {
+  run.verify("not the sums of the sequential code", [&] {
     work();
     return same_around_seeds(graph, solved, free.sums());
   });
@@ -134,7 +134,7 @@ void find_totals_in_parallel(Run& run) {
   const auto work = [&] {
     derive_parents_and_totals(scheduler, graph, members, pieces, partition, totals, seconds);
   };
-  run.verify("not the parents or totals of the sequential twin", [&] {
+  run.verify("not the parents or totals of the sequential code", [&] {
     work();
     return partition.parent == solved.partition.parent && same_totals(totals, solved);
   });

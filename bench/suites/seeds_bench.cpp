@@ -56,7 +56,7 @@ void choose_in_parallel(Run& run, SeedInit init) {
   const auto work = [&] {
     return choose(run, init, *make_parallel_growing_search(scheduler, graph));
   };
-  run.verify("not the seeds of the sequential twin",
+  run.verify("not the seeds of the calling thread",
              [&] { return work() == choose(run, init, *make_growing_search(graph)); });
   run.measure(work);
   rate_seeds(run);

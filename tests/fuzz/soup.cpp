@@ -1,4 +1,4 @@
-// A small triangle soup all the way to the judgement of its remesh: all twins compared, both
+// A small triangle soup all the way to the judgement of its remesh: executors compared, both
 // engines compared, everything checked that is promised.
 #include "tests/fuzz/soup.h"
 
@@ -55,9 +55,10 @@ bool same_dual(const DualMesh& a, const DualMesh& b) {
 
 MeshEdges make_edges(const Mesh& mesh, Scheduler& scheduler) {
   MeshEdges edges = find_edges(mesh);
-  require(same_bytes(edges, find_edges(mesh, scheduler)), "twins find the same edges");
+  require(same_bytes(edges, find_edges(mesh, scheduler)), "any executor finds the same edges");
   const MeshFacts facts = check_mesh(mesh, edges);
-  require(same_bytes(facts, check_mesh(mesh, edges, scheduler)), "twins find the same facts");
+  require(same_bytes(facts, check_mesh(mesh, edges, scheduler)),
+          "any executor finds the same facts");
   require(std::isfinite(facts.area) && std::isfinite(facts.bounding_diagonal), "facts are numbers");
   return edges;
 }
@@ -65,7 +66,7 @@ MeshEdges make_edges(const Mesh& mesh, Scheduler& scheduler) {
 MeshGraph make_graph(const Soup& soup, const MeshEdges& edges, Scheduler& scheduler) {
   MeshGraph made = make_mesh_graph(soup.mesh, edges, soup.graph);
   require(same_bytes(made, make_mesh_graph(soup.mesh, edges, soup.graph, scheduler)),
-          "twins make the same graph");
+          "any executor makes the same graph");
   return made;
 }
 

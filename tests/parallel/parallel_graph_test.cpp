@@ -1,4 +1,4 @@
-// From a mesh to its graph: the twins in parallel/ make the same bytes as core.
+// From a mesh to its graph: the threads of a scheduler make the same bytes as the calling thread.
 #include <gtest/gtest.h>
 
 #include <array>
