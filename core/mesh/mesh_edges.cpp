@@ -11,21 +11,16 @@
 namespace geolloyd {
 namespace {
 
-// The ends of the edge opposite to a corner, the smaller first.
-std::pair<VertexId, VertexId> sorted_ends(const Mesh& mesh, CornerId corner) {
-  return std::minmax({edge_start(mesh, corner), edge_end(mesh, corner)});
-}
-
 // One entry per edge of each triangle, in the group of the edge's smaller vertex. The larger
 // vertex in the high half, so that sorting a group brings equal edges together, corners ascending.
 Bucketed<std::uint64_t> group_corners(Executor& executor, const Mesh& mesh) {
-  return bucket_sort<std::uint64_t>(executor, mesh.vertex_count(), mesh.triangle_count(),
-                                    [&](std::size_t t, auto&& put) {
-                                      for_each_corner(mesh, t, [&](CornerId corner) {
-                                        const auto [low, high] = sorted_ends(mesh, corner);
-                                        put(low, (std::uint64_t{high} << 32) | corner);
-                                      });
-                                    });
+  return bucket_sort<std::uint64_t>(
+      executor, mesh.vertex_count(), mesh.triangle_count(), [&](std::size_t t, auto&& put) {
+        for_each_corner(mesh, t, [&](CornerId corner) {
+          const auto [low, high] = ascending(edge_start(mesh, corner), edge_end(mesh, corner));
+          put(low, (std::uint64_t{high} << 32) | corner);
+        });
+      });
 }
 
 VertexId high_end(std::uint64_t entry) {

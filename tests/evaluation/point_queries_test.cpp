@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "core/base/random.h"
@@ -221,14 +222,28 @@ std::size_t threads_of_this_process() {
   return static_cast<std::size_t>(std::distance(begin(threads), end(threads)));
 }
 
-// Embree starts as many as it is allowed, and they stay: a process of this test alone has none.
-TEST(EmbreeScene, IsMadeByAsManyThreadsAsAllowed) {
-  const std::size_t before = threads_of_this_process();
+// Embree starts as many as it is allowed, and they stay: a process of one of these tests alone has
+// none. (oneTBB may start an idle one where a second device takes the place of a first.)
+template <class MakeScene>
+void expect_no_further_thread(MakeScene&& make_scene) {
   const Mesh mesh = icosphere(100'000);
-  const ClosestPoint surface(mesh, 1);
-  const NearestSite nearest(mesh.positions, 1);
-  const RayCaster caster(mesh, 1);
+  const std::size_t before = threads_of_this_process();
+  const auto scene = make_scene(mesh);
   EXPECT_EQ(threads_of_this_process(), before);
+}
+
+TEST(EmbreeThreads, OfTheClosestPointAreAsManyAsAllowed) {
+  expect_no_further_thread(
+      [](const Mesh& mesh) { return std::make_unique<ClosestPoint>(mesh, 1); });
+}
+
+TEST(EmbreeThreads, OfTheNearestSiteAreAsManyAsAllowed) {
+  expect_no_further_thread(
+      [](const Mesh& mesh) { return std::make_unique<NearestSite>(mesh.positions, 1); });
+}
+
+TEST(EmbreeThreads, OfTheRayCasterAreAsManyAsAllowed) {
+  expect_no_further_thread([](const Mesh& mesh) { return std::make_unique<RayCaster>(mesh, 1); });
 }
 
 TEST(ClosestPoint, NeedsASurface) {
