@@ -8,9 +8,8 @@
 namespace geolloyd {
 
 void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
-  folder_name(
-      command.add_option("-o,--output", output.folder,
-                         fmt::format("Folder for {0}.json, {0}.csv and pictures of them", name)));
+  folder_name(command.add_option("-o,--output", output.folder,
+                                 fmt::format("Folder for {0}.json, {0}.csv and pictures", name)));
   command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
 }
 

@@ -10,8 +10,8 @@ namespace geolloyd {
 void add_memory_option(CLI::App& command) {
   byte_count(command.add_option_function<std::uint64_t>(
       "--memory-limit", limit_memory,
-      "Refuse what needs more memory than this, 8G or 800M (default:\n"
-      "what the machine has left)"));
+      "Limit of memory, such as 8G or 800M: runs that need more are\n"
+      "refused (default: what the machine has left)"));
 }
 
 }  // namespace geolloyd

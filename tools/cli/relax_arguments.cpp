@@ -23,13 +23,14 @@ constexpr const char* thread_group = "Threads (they never change a result)";
 }  // namespace
 
 void add_seed_options(CLI::App& command, SeedArguments& seeds) {
-  whole_number(command.add_option("-k,--seeds", seeds.count, "Number of seeds, and so of regions"),
-               1, most_32_bits)
+  whole_number(
+      command.add_option("-k,--seeds", seeds.count, "Number of seeds; each has one region"), 1,
+      most_32_bits)
       ->group(seed_group);
   command
       .add_option("--seeds-file", seeds.file,
-                  "Start from these seeds instead: an input id or three coordinates\n"
-                  "a line, or the seeds.csv of another run")
+                  "File of seeds to start from instead: one input id or three\n"
+                  "coordinates per line, or the seeds.csv of another run")
       ->type_name("FILE")
       ->group(seed_group);
   add_init_options(command, seeds);
@@ -39,7 +40,7 @@ void add_init_options(CLI::App& command, SeedArguments& seeds) {
   add_choice(command, "--init", seeds.init, seed_init_names, "How to choose the first seeds")
       ->group(seed_group);
   whole_number(command.add_option("--random-seed", seeds.random_seed,
-                                  "Other numbers give other first seeds"),
+                                  "Number that varies the choice of first seeds"),
                0)
       ->capture_default_str()
       ->group(seed_group);
@@ -47,32 +48,32 @@ void add_init_options(CLI::App& command, SeedArguments& seeds) {
 
 void add_graph_options(CLI::App& command, GraphArguments& graph) {
   add_choice(command, "-g,--graph", graph.kind, graph_kind_names,
-             "What the nodes are, and how densely they are joined")
+             "Nodes of the graph; dense graphs join more of them")
       ->group(graph_group);
   add_metric_options(command, graph);
 }
 
 void add_metric_options(CLI::App& command, GraphArguments& graph) {
   add_choice(command, "--norm", graph.norm, norm_names,
-             "How displacements are measured: manhattan and linf along the\n"
-             "tangent field or, without one, along the axes of the coordinates")
+             "Norm of displacements; manhattan and linf use the axes of the\n"
+             "tangent field or, without a field, of the coordinates")
       ->group(graph_group);
   command
       .add_option("--vfield", graph.vfield,
-                  "Tangent field for an anisotropic metric: after a line of column\n"
-                  "names k1, k2 and two vectors per vertex")
+                  "File of a tangent field for an anisotropic metric: a line of\n"
+                  "column names, then k1, k2 and two vectors per vertex")
       ->type_name("FILE")
       ->group(graph_group);
 }
 
 void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) {
   add_choice(command, "--greedy", relaxation.greedy, greedy_choice_names,
-             "Greedy phase before the precise one: off, or how it judges a seed's\n"
+             "Greedy phase before the precise phase: off, or its heuristic for\n"
              "neighbours. auto: off from farthest-point seeds, else extended")
       ->group(relaxation_group);
   command
       .add_flag("--no-microstep-skip", relaxation.no_microstep_skip,
-                "Search regions again even if their seed stayed: slower, same result")
+                "Search regions again even if their seed stayed; slower, same result")
       ->group(relaxation_group);
   command
       .add_flag("--no-macrostep-skip", relaxation.no_macrostep_skip,
@@ -83,34 +84,35 @@ void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) 
 
 void add_limit_options(CLI::App& command, RelaxationArguments& relaxation) {
   whole_number(command.add_option("--max-greedy-steps", relaxation.max_greedy_steps,
-                                  "End the greedy phase after these"),
+                                  "Limit of steps in the greedy phase"),
                0, most_32_bits)
       ->group(relaxation_group);
   whole_number(command.add_option("--max-macrosteps", relaxation.max_macrosteps,
-                                  "End the precise phase after these"),
+                                  "Limit of macrosteps in the precise phase"),
                0, most_32_bits)
       ->group(relaxation_group);
 }
 
 void add_engine_option(CLI::App& command, EngineArguments& engine) {
   add_choice(command, "--engine", engine.kind, engine_names,
-             "parallel, or the sequential reference: slow, the same result");
+             "parallel, or the sequential reference, which is slow and gives the\n"
+             "same result");
 }
 
 void add_frontier_option(CLI::App& command, EngineArguments& engine) {
   add_choice(command, "--frontier", engine.frontier, frontier_names,
-             "How the parallel engine finds regions: heap and delta from\n"
-             "scratch, regions only where something changed")
+             "Search of the parallel engine: heap and delta start from scratch,\n"
+             "regions repairs what has changed")
       ->group(thread_group);
 }
 
 void add_thread_options(CLI::App& command, ThreadArguments& threads) {
   whole_number(command.add_option("--threads", threads.count,
-                                  "How many (default: as many as can run at once)"),
+                                  "Number of threads (default: as many as can run at once)"),
                1, most_threads)
       ->group(thread_group);
   add_choice(command, "--backend", threads.backend, backend_names,
-             "Whose threads: oneTBB's or OpenMP's")
+             "Threading library: oneTBB or OpenMP")
       ->group(thread_group);
 }
 
@@ -119,15 +121,16 @@ void add_picture_options(CLI::App& command, PictureArguments& picture) {
   command
       .add_option_function<std::string>(
           "--view", [&picture](const std::string& text) { picture.view = parse_view(text); },
-          "From where: front, back, left, right, top, bottom, or\n"
-          "AZIMUTH,ELEVATION in degrees; front is along the shortest side")
+          "Camera direction: front, back, left, right, top, bottom, or\n"
+          "AZIMUTH,ELEVATION in degrees; front looks along the shortest side")
       ->type_name("VIEW")
       ->default_str(fmt::format("{},{}", picture.view.azimuth, picture.view.elevation))
       ->group(group);
   command
       .add_option_function<std::string>(
           "--size", [&picture](const std::string& text) { picture.size = parse_size(text); },
-          "WIDTH, as high as the mesh needs it, or WIDTHxHEIGHT, pixels")
+          "WIDTH or WIDTHxHEIGHT in pixels; WIDTH alone is as high as the mesh\n"
+          "needs")
       ->type_name("SIZE")
       ->default_str(std::to_string(picture.size.width))
       ->group(group);
@@ -137,12 +140,12 @@ void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
   const char* group = "Remesh";
   command
       .add_flag("--manifold,!--no-manifold", remesh.manifold,
-                "Add seeds to it until it is a manifold of the input's topology\n"
-                "(default: yes)")
+                "Add vertices until the remesh is a manifold with the input's\n"
+                "topology (default: yes)")
       ->group(group);
   add_choice(command, "--remesh-vertices", remesh.vertices, remesh_vertices_names,
-             "Where its vertices are: at the seeds, or on the surface where the\n"
-             "centroids of the ground truth's regions are nearest")
+             "Places of the remesh's vertices: the seeds, or the surface points\n"
+             "nearest to the centroids of the ground truth's regions")
       ->group(group);
 }
 

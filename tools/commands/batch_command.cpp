@@ -229,8 +229,7 @@ void add_list(CLI::App& command, const char* name, std::vector<Choice>& list, co
 
 void add_batch_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "batch",
-      "Relax from many first seeds, in all graphs and with all options: the thesis's experiment");
+      "batch", "Run the thesis's experiment: many first seeds, all graphs, all heuristics");
   const auto a = std::make_shared<BatchArguments>();
   add_mesh_argument(*command, a->start);
   command
@@ -240,9 +239,8 @@ void add_batch_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("NUMBERS")
       ->required();
-  whole_number(
-      command->add_option("--batches", a->batches, "How many times to choose other first seeds"), 1,
-      100'000)
+  whole_number(command->add_option("--batches", a->batches, "Number of sets of first seeds"), 1,
+               100'000)
       ->capture_default_str();
   add_output_options(*command, a->output, "batch");
   add_list(*command, "--graphs", a->graphs, "Kinds of graph", graph_kind_names);
@@ -250,7 +248,7 @@ void add_batch_command(CLI::App& program) {
   add_list(*command, "--macrostep-skip", a->macrostep_skip,
            "Keep seeds of regions whose score did not change", switch_names);
   add_list(*command, "--microstep-skip", a->microstep_skip,
-           "Search only regions whose seed moved: changes the reference's time, no result",
+           "Search only regions whose seed moved; changes the reference's time, never a result",
            switch_names);
   add_engine_option(*command, a->engine);
   a->start.seeds.init = SeedInit::random_area;
@@ -260,7 +258,7 @@ void add_batch_command(CLI::App& program) {
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   command->footer(
-      "First seeds are chosen as triangles, and lie there or at their corners in all graphs.");
+      "First seeds are chosen as triangles. A graph without triangles takes a corner of each.");
   command->callback([a] { run_batch(*a); });
 }
 

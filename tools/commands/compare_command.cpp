@@ -118,7 +118,7 @@ void run_compare(CompareArguments& arguments) {
 
 void add_compare_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "compare", "Time the reference against the parallel engine, by threads, frontier, backend");
+      "compare", "Time the reference and the parallel engine, by threads, frontier and backend");
   const auto a = std::make_shared<CompareArguments>();
   add_mesh_argument(*command, a->start);
   add_output_options(*command, a->output, "compare");
@@ -127,24 +127,29 @@ void add_compare_command(CLI::App& program) {
   add_relaxation_options(*command, a->relaxation);
   const char* group = "What to compare (lists, separated by commas; all combinations)";
   whole_number(
-      command->add_option("--threads", a->threads, "Default: 1,2,4... up to all the machine has"),
+      command->add_option("--threads", a->threads,
+                          "Numbers of threads (default: 1,2,4... up to all that can run at once)"),
       1, most_threads)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NUMBERS")
       ->group(group);
-  add_choice_list(*command, "--frontiers", a->frontiers, frontier_names, "How regions are found")
+  add_choice_list(*command, "--frontiers", a->frontiers, frontier_names,
+                  "Searches of the parallel engine")
       ->group(group);
-  add_choice_list(*command, "--backends", a->backends, backend_names, "Whose threads")
+  add_choice_list(*command, "--backends", a->backends, backend_names, "Threading libraries")
       ->group(group);
   whole_number(
-      command->add_option("--turns", a->turns, "How often each is timed; the reference once"), 1,
-      1'000'000)
+      command->add_option("--turns", a->turns,
+                          "Number of times that each is timed; the reference is timed once"),
+      1, 1'000'000)
       ->capture_default_str()
       ->group(group);
-  command->add_flag("--no-reference", a->no_reference, "Leave out the slow sequential one")
+  command
+      ->add_flag("--no-reference", a->no_reference,
+                 "Leave out the sequential reference, which is slow")
       ->group(group);
-  command->footer("Exit status 1 where a fingerprint differs. Times are those of the relaxation.");
+  command->footer("Exit status 1 if a fingerprint differs. Times are those of the relaxation.");
   command->callback([a] { run_compare(*a); });
 }
 

@@ -27,17 +27,19 @@ struct GenerateArguments {
 }  // namespace
 
 void add_generate_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("generate", "Make a mesh of a shape");
+  CLI::App* command = program.add_subcommand("generate", "Generate a mesh of a shape");
   const auto arguments = std::make_shared<GenerateArguments>();
-  add_choice(*command, "SHAPE", arguments->shape, shape_names, "What to make")->required();
+  add_choice(*command, "SHAPE", arguments->shape, shape_names, "Shape of the mesh")->required();
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
       ->type_name("FILE")
       ->required();
   whole_number(command->add_option("-t,--triangles", arguments->triangles,
-                                   "At least so many; the shape's next possible number is made"),
+                                   "Least number of triangles; the shape may need a few more"),
                1)
       ->capture_default_str();
-  whole_number(command->add_option("--random-seed", arguments->random_seed, "Varies the shape"), 0)
+  whole_number(
+      command->add_option("--random-seed", arguments->random_seed, "Number that varies the shape"),
+      0)
       ->capture_default_str();
   command->callback([arguments] {
     check_mesh_target(arguments->output, {});

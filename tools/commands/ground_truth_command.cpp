@@ -48,7 +48,7 @@ void run_ground_truth(const GroundTruthArguments& a) {
 
 void add_ground_truth_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "ground-truth", "Compare the regions of seeds with those by Euclidean distance");
+      "ground-truth", "Compare the regions of seeds with regions by Euclidean distance");
   const auto arguments = std::make_shared<GroundTruthArguments>();
   add_mesh_argument(*command, arguments->start);
   folder_name(command->add_option("-o,--output", arguments->output,
@@ -58,7 +58,7 @@ void add_ground_truth_command(CLI::App& program) {
   add_graph_options(*command, arguments->start.graph);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
-  command->footer("Seeds are judged where they are; `relax --ground-truth` judges relaxed ones.");
+  command->footer("Seeds are judged as they are; `relax --ground-truth` judges relaxed seeds.");
   command->callback([arguments] { run_ground_truth(*arguments); });
 }
 

@@ -48,7 +48,7 @@ void add_info_command(CLI::App& program) {
   command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
       ->type_name("")
       ->required();
-  command->add_flag("--json", arguments->json, "Print them as JSON, for scripts");
+  command->add_flag("--json", arguments->json, "Print JSON, for scripts");
   command->callback([arguments] { run_info(*arguments); });
 }
 

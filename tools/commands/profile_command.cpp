@@ -170,15 +170,15 @@ void add_profile_command(CLI::App& program) {
   const auto a = std::make_shared<ProfileArguments>();
   add_mesh_argument(*command, a->start);
   add_output_options(*command, a->output, "profile");
-  add_choice_list(*command, "--engines", a->engines, engine_names, "Which, separated by commas");
+  add_choice_list(*command, "--engines", a->engines, engine_names, "Engines, separated by commas");
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
   add_relaxation_options(*command, a->relaxation);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   command->footer(
-      "Kernels of the parallel engine run side by side: the time of a step is divided among them\n"
-      "by their shares in the time of all threads.");
+      "Kernels of the parallel engine run side by side. The time of a step is divided among\n"
+      "kernels by their shares in the time of all threads.");
   command->callback([a] { run_profile(*a); });
 }
 

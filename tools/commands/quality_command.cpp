@@ -36,16 +36,16 @@ void run_quality(const QualityArguments& a) {
 
 void add_quality_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "quality", "Judge a remesh, whoever made it: triangles, valences, distance to the original");
+      "quality", "Judge a remesh of any program: triangles, valences, distance to the original");
   const auto a = std::make_shared<QualityArguments>();
   command->add_option("REMESH", a->remesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
-  command->add_option("--original", a->original, "The mesh that it stands for")->type_name("MESH");
-  whole_number(
-      command->add_option("--samples", a->samples, "Points on each mesh to measure distances from"),
-      1, 1'000'000'000)
+  command->add_option("--original", a->original, "Mesh that the remesh was made from")
+      ->type_name("MESH");
+  whole_number(command->add_option("--samples", a->samples,
+                                   "Number of points on each mesh to measure distances from"),
+               1, 1'000'000'000)
       ->capture_default_str();
-  command->add_option("-o,--output", a->output, "JSON file to write the figures into")
-      ->type_name("FILE");
+  command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
   add_thread_options(*command, a->threads);
   command->callback([a] { run_quality(*a); });
 }

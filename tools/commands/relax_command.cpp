@@ -226,7 +226,7 @@ void run_relax(const RelaxArguments& arguments) {
 
 void add_relax_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "relax", "Tessellate a mesh: move seeds to the centroids of their regions");
+      "relax", "Tessellate a mesh and remesh it: seeds move to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
   add_mesh_argument(*command, arguments->start);
   folder_name(
@@ -234,19 +234,19 @@ void add_relax_command(CLI::App& program) {
                           "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
                           "report.json"))
       ->required();
-  command->add_option("--picture", arguments->picture_file, "PNG file to draw the result into")
+  command->add_option("--picture", arguments->picture_file, "PNG file for a picture of the result")
       ->type_name("FILE");
   folder_name(command->add_option("--frames", arguments->frames,
-                                  "Folder for a picture of the start of each step, NNN-PHASE.png"));
+                                  "Folder for a picture of each step's start, NNN-PHASE.png"));
   command->add_flag("--ground-truth", arguments->ground_truth,
-                    "Judge the result by the regions of Euclidean distance");
+                    "Compare the result with regions by Euclidean distance");
   time_in_seconds(
       command->add_option("--checkpoint", arguments->checkpoint_seconds,
-                          "Write a checkpoint every so many seconds (0: after each step), from\n"
-                          "which --resume goes on; it goes when the work is done"))
+                          "Seconds between checkpoints, from which --resume goes on (0: a\n"
+                          "checkpoint after each step)"))
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,
-                    "Go on from the checkpoint in the folder, with the options of before");
+                    "Go on from the checkpoint in the folder; give the same options");
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
@@ -256,8 +256,8 @@ void add_relax_command(CLI::App& program) {
   add_thread_options(*command, arguments->threads);
   add_picture_options(*command, arguments->picture);
   command->footer(
-      "Ctrl-C ends the work and writes the best result so far. To go on from there, also\n"
-      "after a crash: the same command and --resume");
+      "Ctrl-C ends the work and writes the best result so far. The same command with --resume\n"
+      "goes on from there, also after a crash.");
   command->callback([arguments] { run_relax(*arguments); });
 }
 

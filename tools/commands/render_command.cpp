@@ -157,15 +157,15 @@ std::vector<Panel> check(const RenderArguments& a) {
 
 void add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "render", "Draw a mesh, the regions of seeds, and what they are made of, as they are");
+      "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a remesh");
   const auto a = std::make_shared<RenderArguments>();
   add_mesh_argument(*command, a->start);
   command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
   command
       ->add_option("--panel", a->panels,
-                   "What to show, surface|mesh|regions|trees|ground-truth|remesh|\n"
-                   "field; several panels stand side by side. NAME=CAPTION puts text\n"
-                   "below one")
+                   "Content of a panel: surface|mesh|regions|trees|ground-truth|remesh|\n"
+                   "field. Several panels stand side by side. NAME=CAPTION puts text\n"
+                   "below a panel")
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_picture_options(*command, a->picture);
@@ -175,8 +175,8 @@ void add_render_command(CLI::App& program) {
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   command->footer(
-      "surface, mesh and field need no seeds. The ground is white where there are captions,\n"
-      "transparent otherwise.");
+      "surface, mesh and field need no seeds. Seeds are not relaxed. The background is\n"
+      "transparent; with captions it is white.");
   command->callback([a] {
     const std::vector<Panel> panels = check(*a);
     Renderer(*a, panels).render();

@@ -50,14 +50,15 @@ void check_memory(const std::string& what, const Mesh& mesh, const std::vector<S
 }  // namespace
 
 void add_subdivide_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("subdivide", "Make a mesh finer, keeping its surface");
+  CLI::App* command = program.add_subcommand(
+      "subdivide", "Subdivide the triangles of a mesh; the surface stays the same");
   const auto arguments = std::make_shared<SubdivideArguments>();
   command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
       ->type_name("")
       ->required();
   add_choice_list(*command, "-s,--scheme", arguments->schemes, scheme_names,
-                  "midpoint makes 4 triangles of each, barycentric 6; several, separated\n"
-                  "by commas, are done in turn")
+                  "midpoint splits a triangle into 4, barycentric into 6; schemes separated\n"
+                  "by commas are applied in turn")
       ->required();
   command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
       ->type_name("FILE")

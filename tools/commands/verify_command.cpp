@@ -82,7 +82,7 @@ void run_verify(const VerifyArguments& a) {
 
 void add_verify_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "verify", "Relax with both engines side by side and compare everything, node by node");
+      "verify", "Run both engines side by side and compare them at every step, node by node");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_mesh_argument(*command, arguments->start);
   add_seed_options(*command, arguments->start.seeds);
@@ -91,8 +91,8 @@ void add_verify_command(CLI::App& program) {
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
   command->footer(
-      "Exit status 1 where they differ: the first step, node and value is named. The time of\n"
-      "the two is that of the relaxation alone.");
+      "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
+      "Times are those of the relaxation alone.");
   command->callback([arguments] { run_verify(*arguments); });
 }
 
