@@ -26,12 +26,12 @@ inline bool has_triangles(GraphKind kind) {
 struct MeshGraph {
   GraphKind kind = GraphKind::vertex;
   Graph graph;
-  std::vector<std::uint32_t> input_id;  ///< per node
-  std::vector<NodeId> node_of;          ///< per input id; no_id where it has no node (mesh_check.h)
-  std::vector<Vec3> position;           ///< per node: vertex, or barycentre of the triangle
-  std::size_t first_triangle_id = 0;    ///< input ids from here on are triangles
+  std::vector<InputId> input_id;      ///< per node
+  std::vector<NodeId> node_of;        ///< per input id; no_id where it has no node (mesh_check.h)
+  std::vector<Vec3> position;         ///< per node: vertex, or barycentre of the triangle
+  std::size_t first_triangle_id = 0;  ///< input ids from here on are triangles
 
-  [[nodiscard]] bool is_triangle(std::uint32_t id) const { return id >= first_triangle_id; }
+  [[nodiscard]] bool is_triangle(InputId id) const { return id >= first_triangle_id; }
 };
 
 std::vector<Vec3> positions_of(const MeshGraph& mesh_graph, std::span<const NodeId> nodes);

@@ -1,7 +1,6 @@
-# Builds somebody else's project and runs what it makes. VARIANT: installed (find_package) or added
-# (add_subdirectory). TARGET: example, the program of the README, or host, with the library in a
-# shared object.
-set(scratch ${BINARY_DIR}/consumer/${VARIANT}-${TARGET})
+# Builds somebody else's project and runs what it makes: the README's example, and a host with the
+# library in a shared object. VARIANT: installed (find_package) or added (add_subdirectory).
+set(scratch ${BINARY_DIR}/consumer/${VARIANT})
 file(REMOVE_RECURSE ${scratch})
 file(MAKE_DIRECTORY ${scratch}/build)
 
@@ -24,6 +23,7 @@ else()
 endif()
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer -B ${scratch}/build -G Ninja ${options}
     -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCMAKE_CXX_COMPILER=${CXX_COMPILER})
-run(${CMAKE_COMMAND} --build ${scratch}/build --target ${TARGET})
+run(${CMAKE_COMMAND} --build ${scratch}/build --target example host)
 run(${PROGRAM} generate creature --triangles 20000 --output scan.ply)
-run(${scratch}/build/${TARGET})
+run(${scratch}/build/example)
+run(${scratch}/build/host)
