@@ -52,6 +52,10 @@ std::string describe(ViolationsLeft why) {
   return "";
 }
 
+std::string describe_input(const GraphRemesh& remesh) {
+  return "the input is no manifold: " + describe(remesh.input_topology);
+}
+
 // Why the remesh is no manifold of the input's topology; empty where it is one.
 std::string find_flaw(const GraphRemesh& remesh) {
   if (remesh.is_manifold() && remesh.has_input_topology() && remesh.violations_left.empty()) {
@@ -61,7 +65,7 @@ std::string find_flaw(const GraphRemesh& remesh) {
   const auto first = std::find_if(left.begin(), left.end(),
                                   [](const ClosedBallViolation& v) { return !v.is_of_input; });
   if (first != left.end()) return describe(*first) + describe(remesh.why_left);
-  if (!remesh.input_topology.is_manifold()) return "the input is no manifold either";
+  if (!remesh.input_topology.is_manifold()) return describe_input(remesh);
   return "its topology differs from the input's";
 }
 
@@ -100,14 +104,15 @@ std::string describe(const GraphRemesh& remesh) {
   text += line_if(remesh.flat, "triangle without area", "triangles without area");
   text += line_if(remesh.folds, "edge folded by more than 150 degrees",
                   "edges folded by more than 150 degrees");
-  if (const std::string flaw = find_flaw(remesh); !flaw.empty()) {
+  const std::string flaw = find_flaw(remesh);
+  if (!flaw.empty()) {
     text += line(std::string(remesh.is_manifold() ? "a manifold" : "NO MANIFOLD") +
                  (remesh.has_input_topology() ? ", of the input's topology: "
                                               : ", NOT OF THE INPUT'S TOPOLOGY: ") +
                  flaw);
   }
-  if (!remesh.input_topology.is_manifold()) {
-    text += line("the input is no manifold: " + describe(remesh.input_topology));
+  if (!remesh.input_topology.is_manifold() && flaw != describe_input(remesh)) {
+    text += line(describe_input(remesh));
   }
   return text;
 }
