@@ -125,8 +125,8 @@ void announce_memory(const std::string& what, std::uint64_t bytes) {
   require_memory(what, bytes);
   if (bytes <= large || announced) return;
   announced = true;
-  const char* over_progress = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
-  fmt::print(stderr, "{}{}: takes up to {} of memory\n", over_progress, what, memory_text(bytes));
+  const char* line_start = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+  fmt::print(stderr, "{}{}: takes up to {} of memory\n", line_start, what, memory_text(bytes));
 }
 
 std::string out_of_memory_message() {
