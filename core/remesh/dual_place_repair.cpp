@@ -29,23 +29,27 @@ std::span<const OfRegion> of_region(const std::vector<OfRegion>& ascending, Regi
   return {first, last};
 }
 
+// A triangle without area or turned over, and a place of several vertices, weigh more than all
+// triangles that are merely low.
+constexpr std::ptrdiff_t grave = 1 << 20;
+
 // What is wrong at a vertex.
 struct Flaws {
-  std::size_t count = 0;
+  std::ptrdiff_t weight = 0;
   double flattest = std::numeric_limits<double>::max();
 };
 
 // A vertex that goes elsewhere. The smaller move is the better one.
 struct PlaceMove {
-  std::ptrdiff_t more_flaws = 0;
+  std::ptrdiff_t more_weight = 0;
   bool leaves_turn = false;
   double flattest = 0;
   RegionId region = no_id;
   Vec3 to = Vec3::Zero();
 
   [[nodiscard]] bool is_better_than(const PlaceMove& other) const {
-    return std::tuple(more_flaws, leaves_turn, -flattest) <
-           std::tuple(other.more_flaws, other.leaves_turn, -other.flattest);
+    return std::tuple(more_weight, leaves_turn, -flattest) <
+           std::tuple(other.more_weight, other.leaves_turn, -other.flattest);
   }
 };
 
@@ -107,10 +111,10 @@ class PlaceRepair {
 
   [[nodiscard]] Flaws flaws_at(RegionId r) const {
     Flaws flaws;
-    if (is_shared(place_[r])) ++flaws.count;
+    if (is_shared(place_[r])) flaws.weight += grave;
     for (const auto& [region, triangle] : of_region(triangles_at_, r)) {
       const double flat = flatness_of(triangle);
-      if (flat < least_flatness) ++flaws.count;
+      if (flat < least_flatness) flaws.weight += flat < no_flatness ? grave : 1;
       flaws.flattest = std::min(flaws.flattest, flat);
     }
     return flaws;
@@ -128,9 +132,8 @@ class PlaceRepair {
     put(r, to);
     const Flaws after = flaws_at(r);
     put(r, from);
-    const PlaceMove move{
-        static_cast<std::ptrdiff_t>(after.count) - static_cast<std::ptrdiff_t>(before.count),
-        choices_.is_at_turn[r] != 0, after.flattest, r, to};
+    const PlaceMove move{after.weight - before.weight, choices_.is_at_turn[r] != 0, after.flattest,
+                         r, to};
     if (move.is_better_than(best)) best = move;
   }
 
@@ -143,10 +146,10 @@ class PlaceRepair {
         try_move(r, mesh_.positions[v], best);
       }
     }
-    if (best.more_flaws >= 0) {
+    if (best.more_weight >= 0) {
       for (const RegionId r : regions) try_points(r, best);
     }
-    if (best.more_flaws >= 0) return false;
+    if (best.more_weight >= 0) return false;
     put(best.region, best.to);
     return true;
   }

@@ -21,7 +21,8 @@ struct PlaceChoices {
 /// The second half of place_dual (dual_places.h): moves vertices to where fewer flaws are left by
 /// it: to the site, to another vertex of the boundary, or, where neither helps, to another point of
 /// the region. A flaw is a triangle that is turned over, or lower than a hundredth of its longest
-/// edge, or a place of several vertices. A triangle starts a move if all its vertices are on the
+/// edge, or a place of several vertices; no low triangle is mended by one that is turned over or
+/// without area. A triangle starts a move if all its vertices are on the
 /// boundary, or if they are in one line. Vertices at turns of the boundary move last.
 void repair_places(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
                    const PlaceChoices& choices, std::vector<Vec3>& place);
