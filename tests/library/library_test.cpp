@@ -156,7 +156,7 @@ void tessellate_moved(double coordinate) {
   tessellate(mesh, with_seeds(1));
 }
 
-void tessellate_from(std::vector<InputId> seeds, Mesh mesh = two_triangles()) {
+void tessellate_from(std::vector<InputId> seeds, const Mesh& mesh = two_triangles()) {
   TessellateOptions options;
   options.first_seeds = std::move(seeds);
   tessellate(mesh, options);

@@ -1,6 +1,6 @@
 // Does the work of each stage once, on a small mesh and by one thread, and prints how much that is:
-// lines of stage, counter and value. tests/work/work_guard compares them with what is on record, and
-// runs this under valgrind where it can, to count instructions too. What is 0 is not printed.
+// lines of stage, counter and value. tests/work/work_guard compares them with what is on record,
+// and runs this under valgrind where it can, to count instructions too. What is 0 is not printed.
 #include <cstdint>
 #include <cstdio>
 #include <functional>
