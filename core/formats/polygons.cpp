@@ -33,18 +33,23 @@ class EarClipping {
     std::vector<std::array<std::size_t, 3>> triangles;
     std::size_t left = corner_.size();
     std::size_t since_last_ear = 0;
-    std::size_t attempts = 8 * left;
-    for (std::size_t i = 0; left > 2; i = after_[i]) {
+    std::size_t attempts = 4 * left;
+    triangles.reserve(left - 2);
+    for (std::size_t i = 0; left > 2;) {
       // In a second round corners in a straight line will do.
       if (attempts-- == 0 || since_last_ear == 2 * left) return std::nullopt;
       const bool may_be_straight = since_last_ear >= left;
       ++since_last_ear;
-      if (!is_ear(i, may_be_straight)) continue;
+      if (!is_ear(i, may_be_straight)) {
+        i = after_[i];
+        continue;
+      }
       triangles.push_back({before_[i], i, after_[i]});
       after_[before_[i]] = after_[i];
       before_[after_[i]] = before_[i];
       --left;
       since_last_ear = 0;
+      i = before_[i];  // mostly the next ear: a spiral is unwound from its end
     }
     return triangles;
   }
@@ -145,6 +150,7 @@ class FannedPolygon {
     Eigen::Index v = (axis + 2) % 3;
     if (normal_[axis] < 0) std::swap(u, v);
     std::vector<Point> points;
+    points.reserve(corners.size());
     for (const VertexId corner : corners) {
       points.push_back({mesh_.positions[corner][u], mesh_.positions[corner][v]});
     }

@@ -18,7 +18,7 @@ struct PolygonFan {
 /// Replaces the fans of concave polygons, which would cover more than the polygon, by as many
 /// triangles that cover the polygon: ears cut off one by one, in order (Meisters 1975). A fan stays
 /// where all its triangles face the same way, as in every convex polygon, and where the polygon is
-/// not flat, crosses itself so that no ear is left, or has more than 1024 corners.
+/// not flat, crosses itself so that no ear is left, or has more than 1024 corners or too few ears.
 void triangulate_concave(Mesh& mesh, const std::vector<PolygonFan>& fans);
 
 }  // namespace geolloyd

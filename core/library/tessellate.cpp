@@ -14,7 +14,6 @@ namespace {
 
 void validate(const Mesh& mesh, const TessellateOptions& options) {
   validate(mesh);
-  validate_field(options.field, mesh.vertex_count());
   if (options.seed_count == 0 && options.first_seeds.empty()) {
     throw InvalidInput("seeds: give seed_count, or first_seeds");
   }
@@ -48,10 +47,12 @@ RelaxationOptions relaxation_options(const TessellateOptions& options) {
 
 Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runtime& runtime) {
   validate(mesh, options);
+  const std::vector<TangentSpace> field = checked_field(options.field, mesh.vertex_count());
   TessellatedGraph result;
+  result.mesh_digest = digest(mesh);
   const MeshEdges edges = find_edges(mesh, runtime.executor());
-  result.mesh_graph = make_mesh_graph(mesh, edges, {options.graph, options.norm, options.field},
-                                      runtime.executor());
+  result.mesh_graph =
+      make_mesh_graph(mesh, edges, {options.graph, options.norm, field}, runtime.executor());
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
   result.relaxation =
       relax(result.mesh_graph.graph, *engine, find_first_seeds(result.mesh_graph, options, runtime),

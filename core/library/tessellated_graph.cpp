@@ -1,10 +1,12 @@
 #include "core/library/tessellated_graph.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "core/base/random.h"
 #include "core/graph/components.h"
 #include "core/remesh/tessellation.h"
 #include "geolloyd/errors.h"
@@ -62,17 +64,33 @@ std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components
   return nodes;
 }
 
-void validate_field(std::span<const TangentSpace> field, std::size_t vertex_count) {
-  if (field.empty()) return;
+std::vector<TangentSpace> checked_field(std::span<const TangentSpace> field,
+                                        std::size_t vertex_count) {
+  if (field.empty()) return {};
   if (field.size() != vertex_count) {
     throw InvalidInput("field: " + std::to_string(field.size()) + " tangent spaces for " +
                        std::to_string(vertex_count) + " vertices: give one per vertex, or none");
   }
+  std::vector<TangentSpace> checked(field.begin(), field.end());
   for (std::size_t v = 0; v < field.size(); ++v) {
+    checked[v].tangent = normalized(field[v].tangent);
+    checked[v].bitangent = normalized(field[v].bitangent);
     if (has_usable_values(field[v])) continue;
     throw InvalidInput("field[" + std::to_string(v) +
                        "]: directions must be finite, magnitudes finite and not negative");
   }
+  return checked;
+}
+
+std::uint64_t digest(const Mesh& mesh) {
+  std::uint64_t all = mix_bits(mesh.vertex_count());
+  for (const Vec3& p : mesh.positions) {
+    for (const double x : p) all = mix_bits(all ^ std::bit_cast<std::uint64_t>(x));
+  }
+  for (const Triangle& t : mesh.triangles) {
+    for (const VertexId v : t) all = mix_bits(all ^ v);
+  }
+  return all;
 }
 
 const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mesh& mesh) {
@@ -80,11 +98,8 @@ const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mes
   if (!tessellation.internals) {
     throw InvalidInput("tessellation: empty: make one with tessellate()");
   }
-  const MeshGraph& made = tessellation.internals->mesh_graph;
-  const std::size_t ids = (has_vertices(made.kind) ? mesh.vertex_count() : 0) +
-                          (has_triangles(made.kind) ? mesh.triangle_count() : 0);
-  if (made.node_of.size() != ids) {
-    throw InvalidInput("tessellation: of a mesh with another number of vertices or triangles");
+  if (tessellation.internals->mesh_digest != digest(mesh)) {
+    throw InvalidInput("tessellation: of another mesh");
   }
   return *tessellation.internals;
 }

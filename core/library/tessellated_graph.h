@@ -13,6 +13,7 @@ namespace geolloyd {
 /// What a Tessellation keeps for those who go on from it: the graph, and the relaxation in its
 /// terms (nodes, ticks).
 struct TessellatedGraph {
+  std::uint64_t mesh_digest = 0;  ///< of the mesh it is of
   MeshGraph mesh_graph;
   Relaxation relaxation;
 };
@@ -22,8 +23,13 @@ struct TessellatedGraph {
 std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components& components,
                                    std::span<const InputId> seeds);
 
-/// Throws InvalidInput where `field` is neither empty nor one usable space per vertex.
-void validate_field(std::span<const TangentSpace> field, std::size_t vertex_count);
+/// The same field with directions of length 1. Throws InvalidInput where it is neither empty nor
+/// one usable space per vertex.
+std::vector<TangentSpace> checked_field(std::span<const TangentSpace> field,
+                                        std::size_t vertex_count);
+
+/// 64 bits for all positions and triangles.
+std::uint64_t digest(const Mesh& mesh);
 
 /// What a tessellation keeps. Throws InvalidInput where it is none of this mesh.
 const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mesh& mesh);

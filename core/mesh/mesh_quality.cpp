@@ -121,7 +121,7 @@ MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges) {
 }
 
 MeshQuality measure_quality(const Mesh& mesh) {
-  validate(mesh);
+  validate_contents(mesh);
   return measure_quality(mesh, find_edges(mesh));
 }
 

@@ -93,7 +93,7 @@ MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges) {
 }
 
 MeshTopology find_topology(const Mesh& mesh) {
-  validate(mesh);
+  validate_contents(mesh);
   return find_topology(mesh, find_edges(mesh));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <compare>
 #include <span>
+#include <tuple>
 
 #include "core/remesh/surface_scan.h"
 
@@ -27,12 +28,14 @@ struct Corner {
   Triple regions;  // ascending
   std::uint32_t triangle;
 
-  friend auto operator<=>(const Corner&, const Corner&) = default;
+  friend bool operator<(const Corner& a, const Corner& b) {
+    return std::tie(a.regions, a.triangle) < std::tie(b.regions, b.triangle);
+  }
 };
 
 // How two regions meet: the ends are corners, and places on the boundary.
 struct Contact {
-  Pair regions;  // ascending
+  Pair regions{};  // ascending
   std::size_t ends = 0;
   std::size_t outer_ends = 0;
 

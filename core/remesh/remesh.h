@@ -49,7 +49,8 @@ struct GraphRemesh {
 
   /// False also without triangles.
   [[nodiscard]] bool is_manifold() const;
-  /// Of a manifold: all that tells surfaces apart is the same. Of another input: no violation is
+  /// Of a manifold: each part has the Euler characteristic and the boundary loops of one of the
+  /// input's. Of another input: no violation is
   /// left, and all that MeshTopology counts is the same.
   [[nodiscard]] bool has_input_topology() const;
 };

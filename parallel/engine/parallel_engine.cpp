@@ -60,7 +60,13 @@ class ParallelEngine final : public Engine {
     std::atomic<bool> stopped = false;
     std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
     goes_on_ = [&, caller = std::this_thread::get_id()] {
-      if (std::this_thread::get_id() == caller && !keep_going(moving)) stopped = true;
+      if (std::this_thread::get_id() != caller) return !stopped.load(std::memory_order_relaxed);
+      try {
+        if (!keep_going(moving)) stopped = true;
+      } catch (...) {
+        stopped = true;  // for the other threads, too
+        throw;
+      }
       return !stopped.load(std::memory_order_relaxed);
     };
     goes_on_();  // at least once

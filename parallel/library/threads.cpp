@@ -1,13 +1,21 @@
 #include "geolloyd/threads.h"
 
+#include <string>
+
+#include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
 #include "parallel/engine/parallel_growing_search.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
 
-Threads::Threads(std::size_t count, Backend backend)
-    : scheduler_(std::make_unique<Scheduler>(count, backend)) {}
+Threads::Threads(std::size_t count, Backend backend) {
+  if (count > most_threads) {
+    throw InvalidInput("threads: " + std::to_string(count) + ": at most " +
+                       std::to_string(most_threads));
+  }
+  scheduler_ = std::make_unique<Scheduler>(count, backend);
+}
 
 Threads::~Threads() = default;
 

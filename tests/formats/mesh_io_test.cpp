@@ -598,15 +598,43 @@ struct PlanePolygon {
   double area;
 };
 
+// A corridor of width 1 that winds inward: ears are at its two ends only.
+std::pair<std::vector<std::array<double, 2>>, double> spiral(int turns) {
+  std::vector<std::array<double, 2>> outer;
+  std::vector<std::array<double, 2>> inner;
+  double area = 0;
+  std::array<double, 2> at = {0, 0};
+  const std::array<std::array<double, 2>, 4> along = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  for (int i = 0; i < turns; ++i) {
+    const auto& [dx, dy] = along[static_cast<std::size_t>(i % 4)];
+    const double length = 2.0 * (turns - i) + 1;
+    outer.push_back(at);
+    // The inner corner lies one to the left of this side and one to the left of the last one.
+    const auto& [bx, by] = along[static_cast<std::size_t>((i + 3) % 4)];
+    inner.push_back(i == 0 ? std::array{at[0] - dy, at[1] + dx}
+                           : std::array{at[0] - dy - by, at[1] + dx + bx});
+    at = {at[0] + dx * length, at[1] + dy * length};
+    area += i == 0 ? length : length - 1;
+  }
+  const auto& [dx, dy] = along[static_cast<std::size_t>((turns - 1) % 4)];
+  outer.push_back(at);
+  outer.push_back({at[0] - dy, at[1] + dx});
+  outer.insert(outer.end(), inner.rbegin(), inner.rend());
+  return {outer, area};
+}
+
 // A letter L, the same from its inner corner's neighbour, a star, and a square with a slit to a
-// square hole, in a slanted plane; forward and backward.
+// square hole, spirals, in a slanted plane; forward and backward.
 std::vector<PlanePolygon> concave_polygons() {
   const std::vector<std::pair<std::vector<std::array<double, 2>>, double>> flat = {
       {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 3},
       {{{2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}}, 3},
       {{{2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}}, 3},
       {{{0, 4}, {-1, 1}, {-4, 0}, {-1, -1}, {0, -4}, {1, -1}, {4, 0}, {1, 1}}, 16},
-      {{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}, 8}};
+      {{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}, 8},
+      spiral(5),
+      spiral(40),
+      spiral(200)};
   std::vector<PlanePolygon> polygons;
   for (const auto& [points, area] : flat) {
     PlanePolygon polygon{{}, 9 * area};  // along (1, 2, 2) and (-2, -1, 2), both of length 3

@@ -67,18 +67,18 @@ TEST(RenderLibrary, DrawsAPictureOrNothing) {
   const auto picture = folder.path() / "picture.png";
   RenderOptions options;
   options.width = options.height = 128;
-  render(picture, mesh, tessellation, options);
+  render_regions(picture, mesh, tessellation, options);
   EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
-  render(folder.path() / "mesh.png", mesh, options);
+  render_mesh(folder.path() / "mesh.png", mesh, options);
   EXPECT_NE(read_file(folder.path() / "mesh.png"), read_file(picture));
 
   const auto refused = folder.path() / "refused.png";
   options.width = 20;
-  EXPECT_THROW(render(refused, mesh, options), InvalidInput);
+  EXPECT_THROW(render_mesh(refused, mesh, options), InvalidInput);
   options.width = 128;
   options.elevation = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(render(refused, mesh, options), InvalidInput);
-  EXPECT_THROW(render(refused, icosphere(80), tessellation), InvalidInput);
+  EXPECT_THROW(render_mesh(refused, mesh, options), InvalidInput);
+  EXPECT_THROW(render_regions(refused, icosphere(80), tessellation), InvalidInput);
   EXPECT_FALSE(std::filesystem::exists(refused));
 }
 

@@ -253,8 +253,26 @@ const WrongCall wrong_calls[] = {
     {"RemeshOfNothing", [] { remesh(two_triangles(), {}); }, "tessellation"},
     {"RemeshOfAnotherMesh",
      [] { remesh(with_a_loose_triangle(), tessellate(two_triangles(), with_seeds(1))); },
-     "another number"},
-    {"QualityOfNothing", [] { measure_quality({}); }, "no triangles"},
+     "another mesh"},
+    {"RemeshOfTheSameSizes",
+     [] {
+       const Tessellation tessellation = tessellate(two_triangles(), with_seeds(1));
+       Mesh other = two_triangles();
+       std::swap(other.triangles[0], other.triangles[1]);
+       remesh(other, tessellation);
+     },
+     "another mesh"},
+    {"RemeshOfAMeshWithAsManyPlaces",
+     [] {
+       TessellateOptions options = with_seeds(1);
+       options.graph = GraphKind::mixed;
+       const Tessellation tessellation = tessellate(two_triangles(), options);
+       Mesh other = two_triangles();
+       other.positions.pop_back();
+       other.triangles = {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}};
+       remesh(other, tessellation);
+     },
+     "another mesh"},
     {"TopologyOfNotANumber",
      [] {
        Mesh mesh = two_triangles();
@@ -272,6 +290,20 @@ const WrongCall wrong_calls[] = {
 
 INSTANTIATE_TEST_SUITE_P(Calls, LibraryRefuses, testing::ValuesIn(wrong_calls),
                          [](const auto& test) { return test.param.name; });
+
+TEST(Library, AMeshWithoutTrianglesHasNoQualityAndNoParts) {
+  EXPECT_TRUE(std::isnan(measure_quality({}).mean_quality));
+  EXPECT_TRUE(find_topology(Mesh{}).parts.empty());
+}
+
+TEST(Library, DirectionsOfAFieldMayHaveAnyLength) {
+  const Mesh mesh = torus(500, 1);
+  TessellateOptions options = with_seeds(9);
+  options.field.assign(mesh.vertex_count(), space(2));
+  const Tessellation expected = tessellate(mesh, options);
+  for (TangentSpace& each : options.field) each.tangent *= 1000;
+  EXPECT_EQ(tessellate(mesh, options).fingerprint, expected.fingerprint);
+}
 
 TEST(Library, AMissingFileIsAnIoError) {
   EXPECT_THROW(read_mesh("no/such/mesh.ply"), IoError);

@@ -2,6 +2,8 @@
 #include <geolloyd/geolloyd.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "core/shapes/shapes.h"
 
 namespace geolloyd {
@@ -27,6 +29,23 @@ TEST(Threads, ComputeWhatTheReferenceComputes) {
       EXPECT_EQ(tested_remesh.mesh.triangles, expected_remesh.mesh.triangles);
     }
   }
+}
+
+TEST(Threads, AreAtMostAsManyAsAllowed) {
+  EXPECT_THROW(Threads(most_threads + 1), InvalidInput);
+  EXPECT_THROW(Threads(static_cast<std::size_t>(-1), Backend::openmp), InvalidInput);
+}
+
+TEST(Threads, AThrowingCallbackEndsTheWorkAndTheNextOneGoesOn) {
+  const Mesh mesh = creature(6000, 1);
+  Threads threads(4);
+  TessellateOptions options;
+  options.seed_count = 40;
+  const std::uint64_t expected = tessellate(mesh, options, threads).fingerprint;
+  options.progress = [](const Progress&) -> bool { throw std::runtime_error("from the callback"); };
+  EXPECT_THROW(tessellate(mesh, options, threads), std::runtime_error);
+  options.progress = {};
+  EXPECT_EQ(tessellate(mesh, options, threads).fingerprint, expected);
 }
 
 }  // namespace

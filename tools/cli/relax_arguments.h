@@ -14,9 +14,6 @@ namespace geolloyd {
 
 // What the command line of `relax` and of its relatives says, by what it concerns.
 
-/// Of --threads: each has memory of its own to work in.
-inline constexpr int most_threads = 1024;
-
 /// The first seeds: a number of them to choose, or a file.
 struct SeedArguments {
   std::size_t count = 0;  ///< 0: not given

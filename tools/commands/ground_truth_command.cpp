@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
+#include <cstdio>
 #include <memory>
 
 #include "core/base/stopwatch.h"
@@ -9,6 +10,7 @@
 #include "tools/experiments/experiment.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/run/stages.h"
+#include "tools/system/interrupt.h"
 
 namespace geolloyd {
 namespace {
@@ -27,6 +29,7 @@ void run_ground_truth(const GroundTruthArguments& a) {
   Purpose purpose;
   purpose.has_ground_truth = true;
   const Start start = prepare(a.start, purpose, scheduler, progress);
+  catch_interrupts();  // before the folder appears
   prepare_ground_truth_output(a.output, a.start);
   progress.stage("partitioning");
   JudgedPartition judged;
@@ -38,6 +41,11 @@ void run_ground_truth(const GroundTruthArguments& a) {
   judged.truth = make_ground_truth(scheduler, start.input.mesh(), start.mesh_graph,
                                    judged.partition, start.seeds);
   judged.seconds = watch.seconds();
+  if (interrupted()) {
+    progress.clear();
+    std::fputs("geolloyd: interrupted\n", stderr);
+    throw InterruptedExit{};
+  }
   write_ground_truth(a.output, a.start, start, judged);
   progress.clear();
   print_heading(start.input, start.mesh_graph, start.seeds.size());

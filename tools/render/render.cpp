@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/library/tessellated_graph.h"
@@ -37,15 +38,16 @@ void write(const std::filesystem::path& path, const Picture& picture, const Canv
 
 }  // namespace
 
-void render(const std::filesystem::path& path, const Mesh& mesh, const RenderOptions& options,
-            Runtime& runtime) {
+void render_mesh(const std::filesystem::path& path, const Mesh& mesh, const RenderOptions& options,
+                 Runtime& runtime) {
   Executor& executor = runtime.executor();
   const Picture picture = make_picture(mesh, options, executor);
   write(path, picture, paint_mesh(picture.scene(), executor), executor);
 }
 
-void render(const std::filesystem::path& path, const Mesh& mesh, const Tessellation& tessellation,
-            const RenderOptions& options, Runtime& runtime) {
+void render_regions(const std::filesystem::path& path, const Mesh& mesh,
+                    const Tessellation& tessellation, const RenderOptions& options,
+                    Runtime& runtime) {
   Executor& executor = runtime.executor();
   const TessellatedGraph& tessellated = internals_of(tessellation, mesh);
   const Relaxation& relaxation = tessellated.relaxation;

@@ -61,7 +61,8 @@ bool ResumableRelaxation::save(ProgressLine& progress) {
     return true;
   } catch (const IoError& error) {
     progress.clear();
-    fmt::print(stderr, "geolloyd: without a checkpoint: {}\n", error.what());
+    // Not fmt::print, which throws where the terminal has gone.
+    std::fputs(fmt::format("geolloyd: without a checkpoint: {}\n", error.what()).c_str(), stderr);
     return false;
   }
 }

@@ -6,8 +6,9 @@ namespace geolloyd {
 // began, as nohup has it.
 
 /// From now on an interrupt ends the program at once, whatever it does, with one line on standard
-/// error and exit status 130. Nothing is lost or left by that before there are results: a file has
-/// no name until it is complete (file_io.h), and folders are made after catch_interrupts(). So no
+/// error and exit status 130. Nothing is lost by that before there are results: a file has no name
+/// until it is complete (file_io.h says where that fails), and folders are made after
+/// catch_interrupts(). So no
 /// function that reads a mesh, builds a graph or chooses seeds needs to ask for interrupts.
 void end_on_interrupts();
 

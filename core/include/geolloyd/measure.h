@@ -27,7 +27,7 @@ struct MeshQuality {
   double share_valence_5_to_7 = none;  ///< of inner vertices
 };
 
-/// Throws InvalidInput where the mesh is not valid.
+/// Throws InvalidInput where the mesh is not valid; it may have no triangles.
 MeshQuality measure_quality(const Mesh& mesh);
 
 /// What a connected part of a surface is like up to bending: with orientability, all that
@@ -59,7 +59,7 @@ struct MeshTopology {
 };
 
 /// Of the triangles that have three vertices, and of the vertices they name. Throws InvalidInput
-/// where the mesh is not valid.
+/// where the mesh is not valid; it may have no triangles.
 MeshTopology find_topology(const Mesh& mesh);
 
 }  // namespace geolloyd

@@ -21,7 +21,8 @@ struct TessellateOptions {
 
   GraphKind graph = GraphKind::vertex;
   Norm norm = Norm::geodesic;
-  std::vector<TangentSpace> field;  ///< one per vertex, or none: an isotropic metric
+  std::vector<TangentSpace> field;  ///< one per vertex, or none: an isotropic metric;
+                                    ///< directions may have any length
 
   std::optional<GreedyMode>
       greedy;  ///< none: the mode suggested for `init` (suggested_greedy_mode)

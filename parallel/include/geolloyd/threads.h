@@ -12,11 +12,14 @@ class Scheduler;
 /// Whose threads do the work: oneTBB's or OpenMP's.
 enum class Backend { tbb, openmp };
 
+/// Each thread has memory of its own to work in.
+inline constexpr std::size_t most_threads = 1024;
+
 /// Threads of this machine, with the parallel engine. What they compute is what the sequential
 /// reference computes, to the bit, however many they are.
 class Threads final : public Runtime {
  public:
-  /// `count` 0: as many as this process may use.
+  /// At most most_threads; 0: as many as this process may use. Throws InvalidInput.
   explicit Threads(std::size_t count = 0, Backend backend = Backend::tbb);
   ~Threads() override;
 

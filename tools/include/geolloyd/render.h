@@ -19,11 +19,12 @@ struct RenderOptions {
 /// Draws a mesh with its edges into a PNG file, which appears whole or not at all. The ground is
 /// transparent. Throws InvalidInput where the mesh or an option is not usable, IoError where the
 /// file cannot be written.
-void render(const std::filesystem::path& path, const Mesh& mesh, const RenderOptions& options = {},
-            Runtime& runtime = reference_runtime());
+void render_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                 const RenderOptions& options = {}, Runtime& runtime = reference_runtime());
 
 /// Draws the regions of a tessellation of this mesh and its seeds.
-void render(const std::filesystem::path& path, const Mesh& mesh, const Tessellation& tessellation,
-            const RenderOptions& options = {}, Runtime& runtime = reference_runtime());
+void render_regions(const std::filesystem::path& path, const Mesh& mesh,
+                    const Tessellation& tessellation, const RenderOptions& options = {},
+                    Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd
