@@ -598,7 +598,8 @@ struct PlanePolygon {
   double area;
 };
 
-// A corridor of width 1 that winds inward: ears are at its two ends only.
+// A corridor of width 1 that winds inward: ears are at its two ends only. (A face of the binary
+// file below has 255 corners at most.)
 std::pair<std::vector<std::array<double, 2>>, double> spiral(int turns) {
   std::vector<std::array<double, 2>> outer;
   std::vector<std::array<double, 2>> inner;
@@ -634,7 +635,7 @@ std::vector<PlanePolygon> concave_polygons() {
       {{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}, 8},
       spiral(5),
       spiral(40),
-      spiral(200)};
+      spiral(100)};
   std::vector<PlanePolygon> polygons;
   for (const auto& [points, area] : flat) {
     PlanePolygon polygon{{}, 9 * area};  // along (1, 2, 2) and (-2, -1, 2), both of length 3
