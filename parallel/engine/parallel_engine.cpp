@@ -15,6 +15,16 @@
 namespace geolloyd {
 namespace {
 
+// A callback that throws stops the other threads, too.
+void ask(const Engine::KeepGoing& keep_going, std::uint32_t moving, std::atomic<bool>& stopped) {
+  try {
+    if (!keep_going(moving)) stopped = true;
+  } catch (...) {
+    stopped = true;
+    throw;
+  }
+}
+
 class ParallelEngine final : public Engine {
  public:
   ParallelEngine(Scheduler& scheduler, const Graph& graph, Frontier frontier)
@@ -60,13 +70,7 @@ class ParallelEngine final : public Engine {
     std::atomic<bool> stopped = false;
     std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
     goes_on_ = [&, caller = std::this_thread::get_id()] {
-      if (std::this_thread::get_id() != caller) return !stopped.load(std::memory_order_relaxed);
-      try {
-        if (!keep_going(moving)) stopped = true;
-      } catch (...) {
-        stopped = true;  // for the other threads, too
-        throw;
-      }
+      if (std::this_thread::get_id() == caller) ask(keep_going, moving, stopped);
       return !stopped.load(std::memory_order_relaxed);
     };
     goes_on_();  // at least once
