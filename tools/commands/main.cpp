@@ -102,7 +102,8 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
         is_option ? suggest_option(commands.empty() ? program : *commands.front(), name)
                   : suggest_command(program, name);
     if (!meant.empty() || !is_option) {
-      return "no " + std::string(is_option ? "option " : "command ") + name + meant;
+      std::string unknown = is_option ? "no option " : "no command ";
+      return unknown.append(name).append(meant);
     }
   }
   return error.what();

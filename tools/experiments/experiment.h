@@ -30,7 +30,7 @@ void finish_experiment(const ExperimentOutput& output, const std::string& name);
 template <class Value>
 void drop_repeats(std::vector<Value>& list) {
   std::vector<Value> kept;
-  for (const Value& value : list) {
+  for (const auto& value : list) {
     if (std::find(kept.begin(), kept.end(), value) == kept.end()) kept.push_back(value);
   }
   list = std::move(kept);
