@@ -1,6 +1,5 @@
 #include "core/library/tessellated_graph.h"
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 #include <string>
@@ -9,6 +8,7 @@
 #include "core/base/random.h"
 #include "core/graph/components.h"
 #include "core/remesh/tessellation.h"
+#include "core/seeds/seeds.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -17,18 +17,6 @@ namespace {
 [[noreturn]] void refuse_seed(std::size_t index, InputId id, const std::string& what) {
   throw InvalidInput("first_seeds[" + std::to_string(index) + "] = " + std::to_string(id) + ": " +
                      what);
-}
-
-// A component without a seed would have no region, without a word.
-void check_components(const MeshGraph& mesh_graph, const Components& components,
-                      std::span<const NodeId> seeds) {
-  std::vector<bool> has_seed(components.size(), false);
-  for (const NodeId s : seeds) has_seed[components.component_of[s]] = true;
-  const auto missing = std::find(has_seed.begin(), has_seed.end(), false);
-  if (missing == has_seed.end()) return;
-  const auto nodes = components.nodes(static_cast<std::size_t>(missing - has_seed.begin()));
-  throw InvalidInput("first_seeds: a connected component has no seed: add one, such as input id " +
-                     std::to_string(mesh_graph.input_id[nodes.front()]));
 }
 
 bool has_usable_values(const TangentSpace& space) {
@@ -60,7 +48,7 @@ std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components
     is_taken[node] = true;
     nodes.push_back(node);
   }
-  check_components(mesh_graph, components, nodes);
+  check_every_component_has_a_seed("first_seeds", mesh_graph, components, nodes);
   return nodes;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "core/seeds/seeds.h"
 #include "core/text/text_cursor.h"
 #include "geolloyd/errors.h"
 
@@ -151,20 +152,6 @@ class SeedReader {
   std::size_t columns_ = 0;  // of a table
 };
 
-void check_components(std::string_view name, const MeshGraph& mesh_graph,
-                      const Components& components, const std::vector<NodeId>& seeds) {
-  std::vector<bool> has_seed(components.size(), false);
-  for (const NodeId s : seeds) has_seed[components.component_of[s]] = true;
-  const auto missing = std::find(has_seed.begin(), has_seed.end(), false);
-  if (missing == has_seed.end()) return;
-  const auto nodes = components.nodes(static_cast<std::size_t>(missing - has_seed.begin()));
-  throw InvalidInput(std::string(name) + ": " +
-                     std::to_string(std::count(has_seed.begin(), has_seed.end(), false)) + " of " +
-                     std::to_string(components.size()) +
-                     " connected components have no seed: add one to each, such as input id " +
-                     std::to_string(mesh_graph.input_id[nodes.front()]));
-}
-
 }  // namespace
 
 std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
@@ -172,7 +159,7 @@ std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
   std::string words(text);
   std::replace(words.begin(), words.end(), ',', ' ');
   std::vector<NodeId> seeds = SeedReader(words, name, mesh_graph).read();
-  check_components(name, mesh_graph, components, seeds);
+  check_every_component_has_a_seed(name, mesh_graph, components, seeds);
   return seeds;
 }
 

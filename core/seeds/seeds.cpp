@@ -232,4 +232,18 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
   return chooser.take();
 }
 
+void check_every_component_has_a_seed(std::string_view name, const MeshGraph& mesh_graph,
+                                      const Components& components, std::span<const NodeId> seeds) {
+  std::vector<bool> has_seed(components.size(), false);
+  for (const NodeId s : seeds) has_seed[components.component_of[s]] = true;
+  const auto missing = std::find(has_seed.begin(), has_seed.end(), false);
+  if (missing == has_seed.end()) return;
+  const auto nodes = components.nodes(static_cast<std::size_t>(missing - has_seed.begin()));
+  throw InvalidInput(std::string(name) + ": " +
+                     std::to_string(std::count(has_seed.begin(), has_seed.end(), false)) + " of " +
+                     std::to_string(components.size()) +
+                     " connected components have no seed: add one to each, such as input id " +
+                     std::to_string(mesh_graph.input_id[nodes.front()]));
+}
+
 }  // namespace geolloyd

@@ -88,7 +88,7 @@ std::vector<MeshGraphOptions> all_options(const Mesh& mesh) {
   return all;
 }
 
-void expect_twins_agree(const Mesh& mesh) {
+void expect_executors_agree(const Mesh& mesh) {
   const MeshEdges edges = find_edges(mesh);
   const MeshFacts facts = check_mesh(mesh, edges);
   const std::vector<MeshGraphOptions> options = all_options(mesh);
@@ -106,11 +106,11 @@ void expect_twins_agree(const Mesh& mesh) {
 }
 
 TEST(ParallelGraph, OfRegularShapes) {
-  expect_twins_agree(creature(1500, 1));
-  expect_twins_agree(icosphere(700));
-  expect_twins_agree(torus(600, 1));
-  expect_twins_agree(irregular_plane(600, 1));
-  expect_twins_agree(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  expect_executors_agree(creature(1500, 1));
+  expect_executors_agree(icosphere(700));
+  expect_executors_agree(torus(600, 1));
+  expect_executors_agree(irregular_plane(600, 1));
+  expect_executors_agree(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
 }
 
 //  A book of four pages, one of them three times, one of them twice; a triangle of its own, also
@@ -145,10 +145,10 @@ Mesh untidy() {
 }
 
 TEST(ParallelGraph, OfUntidyMeshes) {
-  expect_twins_agree(untidy());
+  expect_executors_agree(untidy());
   Mesh point = creature(600, 2);
   for (Vec3& p : point.positions) p = Vec3(1, 2, 3);
-  expect_twins_agree(point);
+  expect_executors_agree(point);
   Mesh worn = torus(900, 3);
   for (std::size_t t = 0; t < 300; t += 7) worn.triangles.push_back(worn.triangles[2 * t]);
   for (std::size_t t = 0; t < 600; t += 5) {
@@ -156,7 +156,7 @@ TEST(ParallelGraph, OfUntidyMeshes) {
     worn.triangles[t + 1][0] = worn.triangles[t + 1][1];
   }
   worn.positions.resize(worn.positions.size() + 5, Vec3(-9, 0, 0));
-  expect_twins_agree(worn);
+  expect_executors_agree(worn);
 }
 
 // Large enough for the ranges of all stages to be shared among the threads; in several components,
