@@ -25,14 +25,15 @@ GRAPHS = ["vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"]
 COMMON = {
     "program": str,
     "machine": {"processor": str, "threads": POSITIVE},
-    "mesh": {"file": str, "triangles": int},
     "options": {},
     "interrupted": bool,
 }
+MESH = {"file": str, "triangles": int}
 SINGLE = {"graph": str, "seeds": POSITIVE, "seeds_file": TEXT_OR_NULL}
 KERNEL_SECONDS = {kernel: NUMBER for kernel in KERNELS}
 SHAPES = {
     "compare": {
+        "mesh": MESH,
         "options": SINGLE,
         "runs": [{
             "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": POSITIVE,
@@ -41,6 +42,7 @@ SHAPES = {
         }],
     },
     "profile": {
+        "mesh": MESH,
         "options": SINGLE,
         "profiles": [{
             "engine": ["reference", "parallel"], "frontier": TEXT_OR_NULL, "backend": TEXT_OR_NULL, "threads": POSITIVE,
@@ -50,12 +52,18 @@ SHAPES = {
         }],
     },
     "batch": {
+        "mesh": MESH,
         "options": {"engine": str, "threads": POSITIVE},
         "rows": [{
             "graph": GRAPHS, "seeds": POSITIVE, "greedy": GREEDY_MODES, "macrostep_skip": bool, "microstep_skip": bool,
             "batches": int, "converged": int, "seconds": AVERAGE, "greedy_steps": AVERAGE, "macrosteps": AVERAGE,
             "microsteps": AVERAGE, "energy": AVERAGE,
         }],
+    },
+    "remesh": {
+        "input": {**MESH, "area": NUMBER},
+        "options": {"vertices": POSITIVE, "threads": POSITIVE},
+        "trace": [{"sites": POSITIVE, "mesh_vertices": POSITIVE, "energy": NUMBER, "seconds": NUMBER}],
     },
 }
 
@@ -103,7 +111,7 @@ def something_to_draw(result: dict) -> bool:
     """Whether any run came to its end."""
     if result["command"] == "profile":
         return any(profile["phases"] or profile["steps"] for profile in result["profiles"])
-    return bool(result["runs"] if result["command"] == "compare" else result["rows"])
+    return bool(result[{"compare": "runs", "batch": "rows", "remesh": "trace"}[result["command"]]])
 
 
 def load(path: Path) -> dict:

@@ -48,6 +48,7 @@ void add_all(const std::vector<BenchMesh>& meshes) {
     geolloyd::add_partition_benchmarks(mesh);
     geolloyd::add_region_benchmarks(mesh);
     geolloyd::add_relaxation_benchmarks(mesh);
+    geolloyd::add_surface_benchmarks(mesh);
   }
 }
 

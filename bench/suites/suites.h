@@ -20,5 +20,7 @@ void add_partition_benchmarks(const BenchMesh& mesh);
 void add_region_benchmarks(const BenchMesh& mesh);
 /// relaxation/ENGINE.
 void add_relaxation_benchmarks(const BenchMesh& mesh);
+/// Surface remeshes: surface/STAGE, and all of it, surface/remesh.
+void add_surface_benchmarks(const BenchMesh& mesh);
 
 }  // namespace geolloyd

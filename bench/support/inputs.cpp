@@ -8,6 +8,8 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
+#include "core/surface/reference_surface_engine.h"
+#include "core/surface/surface_remesh.h"
 #include "core/voronoi/check_partition.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/forest.h"
@@ -176,6 +178,21 @@ const Relaxed& Inputs::relaxed(std::size_t seeds) {
     const Relaxation relaxation = relax(graph(), *engine, solved(seeds).seeds, {});
     certify(graph(), relaxation.seeds, relaxation.partition, Regions::free);
     return summarise(relaxation);
+  });
+}
+
+const SurfaceStart& Inputs::surface(std::size_t sites) {
+  return surface_.get(sites, [&] { return make_surface_start(mesh(), edges(), sites); });
+}
+
+const SurfaceRemesh& Inputs::surface_remesh(std::size_t sites) {
+  return surface_remesh_.get(sites, [&] {
+    SurfaceRemeshOptions options;
+    options.vertex_count = sites;
+    SurfaceRemesh remesh =
+        make_surface_remesh(mesh(), edges(), options, make_reference_surface_engine);
+    require(remesh.has_input_topology(), "the remesh is no manifold like the mesh");
+    return remesh;
   });
 }
 

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "bench/support/bench_mesh.h"
+#include "bench/support/surface_start.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_check.h"
+#include "geolloyd/remesh.h"
 
 namespace geolloyd {
 
@@ -87,6 +89,9 @@ class Inputs {
   const Solved& moved(std::size_t seeds);
   const Rest& rest(std::size_t seeds);
   const Relaxed& relaxed(std::size_t seeds);
+  /// For so many sites.
+  const SurfaceStart& surface(std::size_t sites);
+  const SurfaceRemesh& surface_remesh(std::size_t sites);
 
  private:
   BenchMesh source_;
@@ -99,6 +104,8 @@ class Inputs {
   Kept<Solved, std::size_t> moved_;
   Kept<Rest, std::size_t> rest_;
   Kept<Relaxed, std::size_t> relaxed_;
+  Kept<SurfaceStart, std::size_t> surface_;
+  Kept<SurfaceRemesh, std::size_t> surface_remesh_;
 };
 
 /// Those of the mesh last asked for are kept, others are not.

@@ -22,13 +22,13 @@ struct MortonGrid {
   [[nodiscard]] std::uint64_t code(const Vec3& p) const;
 };
 
-/// Indices i < count of the positions position_of(i) along a Morton (Z-order) curve through their
-/// bounding cube, 21 bits an axis; equal cells in order of index. What is near in space comes to
-/// lie near in memory.
+/// Indices i < count of the positions position_of(i), all in the grid's cube, along a Morton
+/// (Z-order) curve through it; equal cells in order of index. What is near in space comes to lie
+/// near in memory.
 template <class PositionOf>
-std::vector<std::uint32_t> spatial_order(std::size_t count, PositionOf&& position_of,
+std::vector<std::uint32_t> spatial_order(const MortonGrid& grid, std::size_t count,
+                                         PositionOf&& position_of,
                                          Executor& executor = sequential()) {
-  const MortonGrid grid(bounding_box(count, position_of, executor));
   Buffer<std::uint64_t> codes(count);
   parallel_for(executor, count, small_items,
                [&](std::size_t i) { codes[i] = grid.code(position_of(i)); });
@@ -48,6 +48,14 @@ std::vector<std::uint32_t> spatial_order(std::size_t count, PositionOf&& positio
     }
   });
   return order;
+}
+
+/// In the grid of their bounding cube.
+template <class PositionOf>
+std::vector<std::uint32_t> spatial_order(std::size_t count, PositionOf&& position_of,
+                                         Executor& executor = sequential()) {
+  return spatial_order(MortonGrid(bounding_box(count, position_of, executor)), count, position_of,
+                       executor);
 }
 
 inline std::vector<std::uint32_t> spatial_order(std::span<const Vec3> positions) {

@@ -1,5 +1,6 @@
 #include "core/base/executor.h"
 #include "core/lloyd/reference_engine.h"
+#include "core/surface/reference_surface_engine.h"
 #include "core/voronoi/growing_search.h"
 #include "geolloyd/runtime.h"
 
@@ -14,6 +15,9 @@ class ReferenceRuntime final : public Runtime {
   }
   std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) override {
     return geolloyd::make_growing_search(graph);
+  }
+  std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) override {
+    return make_reference_surface_engine(mesh);
   }
 };
 

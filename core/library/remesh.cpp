@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "core/library/tessellated_graph.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/remesh/remesh.h"
+#include "core/surface/surface_engine.h"
+#include "core/surface/surface_remesh.h"
 
 namespace geolloyd {
 
@@ -32,6 +35,16 @@ Remesh remesh(const Mesh& mesh, const Tessellation& tessellation, const RemeshOp
   result.folds = made.folds;
   result.mesh = std::move(made.mesh);
   return result;
+}
+
+SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options,
+                             Runtime& runtime) {
+  validate(mesh);
+  const MeshEdges edges = find_edges(mesh, runtime.executor());
+  return make_surface_remesh(
+      mesh, edges, options,
+      [&runtime](const FineMesh& fine) { return runtime.make_surface_engine(fine); },
+      runtime.executor());
 }
 
 }  // namespace geolloyd

@@ -38,26 +38,18 @@ class RepairedDual {
     return dualise(input_, partition, std::move(seeds));
   }
 
-  // Those of one violation, but no two violations that concern the same region: one seed may mend
-  // both. Stops at `most` seeds.
+  // Stops at `most` seeds.
   bool add_seeds(std::size_t most) {
-    constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
-    std::vector<std::array<RegionId, 3>> taken_by(result_.seeds.size(), nobody);
+    const std::size_t before = result_.seeds.size();
     std::vector<bool> is_added(input_.mesh_graph.graph.node_count(), false);
-    for (const SeedInsertion& insertion : find_seed_insertions(result_.surface, result_.dual)) {
+    for (const SeedInsertion& insertion :
+         leave_out_neighbours(find_seed_insertions(result_.surface, result_.dual), before)) {
       if (result_.seeds.size() == most) break;
-      const auto is_open = [&](RegionId r) {
-        return r == no_id || taken_by[r] == nobody || taken_by[r] == insertion.regions;
-      };
-      if (!std::all_of(insertion.regions.begin(), insertion.regions.end(), is_open)) continue;
-      for (const RegionId r : insertion.regions) {
-        if (r != no_id) taken_by[r] = insertion.regions;
-      }
       const NodeId node = node_at(input_.mesh_graph, result_.surface.vertex_count, insertion.point);
       if (!is_added[node]) result_.seeds.push_back(node);
       is_added[node] = true;
     }
-    return result_.seeds.size() > taken_by.size();
+    return result_.seeds.size() > before;
   }
 
   // Moves the seeds from `first_new` on, and those of the regions they border on, toward the

@@ -278,4 +278,22 @@ std::vector<SeedInsertion> find_seed_insertions(const RegionSurface& surface,
   return InsertionFinder(surface, dual).run();
 }
 
+std::vector<SeedInsertion> leave_out_neighbours(std::vector<SeedInsertion> insertions,
+                                                std::size_t region_count) {
+  constexpr std::array<RegionId, 3> nobody = {no_id, no_id, no_id};
+  std::vector<std::array<RegionId, 3>> taken_by(region_count, nobody);
+  std::erase_if(insertions, [&](const SeedInsertion& insertion) {
+    const auto is_open = [&](RegionId r) {
+      return r == no_id || taken_by[r] == nobody || taken_by[r] == insertion.regions;
+    };
+    const auto& regions = insertion.regions;
+    if (!std::all_of(regions.begin(), regions.end(), is_open)) return true;
+    for (const RegionId r : regions) {
+      if (r != no_id) taken_by[r] = regions;
+    }
+    return false;
+  });
+  return insertions;
+}
+
 }  // namespace geolloyd

@@ -23,4 +23,9 @@ struct SeedInsertion {
 /// None for a violation of the input, nor for one whose regions have no node but their seed.
 std::vector<SeedInsertion> find_seed_insertions(const RegionSurface& surface, const DualMesh& dual);
 
+/// Of these, those of one violation, but of no two that concern the same region: one seed may mend
+/// both. The earlier ones stay, in their order.
+std::vector<SeedInsertion> leave_out_neighbours(std::vector<SeedInsertion> insertions,
+                                                std::size_t region_count);
+
 }  // namespace geolloyd

@@ -5,6 +5,7 @@
 #include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
 #include "parallel/engine/parallel_growing_search.h"
+#include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -33,6 +34,10 @@ std::unique_ptr<Engine> Threads::make_engine(const Graph& graph) {
 
 std::unique_ptr<GrowingSearch> Threads::make_growing_search(const Graph& graph) {
   return make_parallel_growing_search(*scheduler_, graph);
+}
+
+std::unique_ptr<SurfaceEngine> Threads::make_surface_engine(const FineMesh& mesh) {
+  return make_parallel_surface_engine(mesh, *scheduler_);
 }
 
 }  // namespace geolloyd

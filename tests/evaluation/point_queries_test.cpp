@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/mesh/closest_on_triangle.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/closest_on_triangle.h"
 #include "tools/evaluation/unit_frame.h"
 #include "tools/render/ray_caster.h"
 
@@ -103,9 +103,9 @@ TEST(NearestSite, FindsOneSiteAndSitesThatAreAllButEqual) {
 }
 
 // Brute force over the triangles; the point on each is tested below.
-SurfacePoint closest_by_force(const Mesh& mesh, const Vec3& p) {
+FoundPoint closest_by_force(const Mesh& mesh, const Vec3& p) {
   const double scale = UnitFrame(mesh.positions).scale;
-  SurfacePoint closest{no_id, p, infinity};
+  FoundPoint closest{no_id, p, infinity};
   double least = infinity;
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     std::array<Vec3, 3> corner;
@@ -127,11 +127,22 @@ SurfacePoint closest_by_force(const Mesh& mesh, const Vec3& p) {
 void expect_closest_as_by_force(const Mesh& mesh, const std::vector<Vec3>& asked) {
   const ClosestPoint surface(mesh, 2);
   for (const Vec3& p : asked) {
-    const SurfacePoint expected = closest_by_force(mesh, p);
-    const SurfacePoint found = surface.find(p);
+    const FoundPoint expected = closest_by_force(mesh, p);
+    const FoundPoint found = surface.find(p);
     ASSERT_EQ(found.triangle, expected.triangle) << p.transpose();
     ASSERT_EQ(found.position, expected.position) << p.transpose();
     ASSERT_EQ(found.distance, expected.distance) << p.transpose();
+    for (const TriangleId guess : {TriangleId{0}, expected.triangle}) {
+      ASSERT_EQ(surface.find(p, guess).triangle, expected.triangle) << p.transpose();
+      ASSERT_GE(surface.distance_to(p, guess), expected.distance) << p.transpose();
+    }
+    ASSERT_EQ(surface.distance_to(p, expected.triangle), expected.distance) << p.transpose();
+    if (expected.distance > 0) {
+      ASSERT_EQ(surface.find_within(p, std::nextafter(expected.distance, 0.0)), no_id);
+    }
+    const TriangleId near = surface.find_within(p, expected.distance);
+    ASSERT_NE(near, no_id) << p.transpose();
+    ASSERT_EQ(surface.distance_to(p, near), expected.distance) << p.transpose();
   }
 }
 
@@ -178,7 +189,7 @@ TEST(ClosestPoint, OfAVertexIsTheVertexAndTheSmallestTriangleThatHasIt) {
     for (const VertexId v : mesh.triangles[t]) first[v] = std::min(first[v], t);
   }
   for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
-    const SurfacePoint found = surface.find(mesh.positions[v]);
+    const FoundPoint found = surface.find(mesh.positions[v]);
     EXPECT_EQ(found.triangle, first[v]);
     EXPECT_LT(found.distance, 1e-15);
   }
@@ -211,7 +222,7 @@ TEST(ClosestPoint, OnAPlaneIsTheFootOfThePerpendicular) {
   for (std::size_t i = 0; i < 500; ++i) {
     const Vec3 p = random_point(2, i, 2);
     const Vec3 foot(std::clamp(p.x(), 0.0, 1.0), std::clamp(p.y(), 0.0, 1.0), 0);
-    const SurfacePoint found = surface.find(p);
+    const FoundPoint found = surface.find(p);
     EXPECT_LT(norm(found.position - foot), 1e-12);
     EXPECT_NEAR(found.distance, norm(p - foot), 1e-12);
   }

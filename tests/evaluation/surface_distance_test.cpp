@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/mesh/mesh_measure.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
+#include "tools/evaluation/point_queries.h"
 #include "tools/evaluation/surface_samples.h"
 
 namespace geolloyd {
@@ -81,6 +84,21 @@ TEST(SurfaceDistance, IgnoresVerticesOfNoTriangle) {
   expect_all_near(distance_of(mesh, irregular_plane(200, 1)).two_sided(), 0, 1e-14);
 }
 
+// Every vertex by a query of its own: those left out are no farther away.
+TEST(SurfaceDistance, IsAsLargeAsThatOfEachVertexByItself) {
+  const Mesh fine = creature(20'000, 1);
+  const Mesh coarse = creature(300, 1);
+  const ClosestPoint closest(coarse, 1);
+  double largest = 0;
+  for (const Vec3& p : fine.positions) largest = std::max(largest, closest.find(p).distance);
+  Scheduler scheduler(2);
+  const MeshEdges edges = find_edges(fine);
+  EXPECT_EQ(measure_distance_one_way(scheduler, fine, edges, coarse, 1).largest, largest);
+  const DistanceFigures found = measure_distance_one_way(scheduler, fine, edges, coarse, 5'000);
+  EXPECT_GE(found.largest, largest);
+  EXPECT_LE(found.largest, 1.05 * largest);
+}
+
 TEST(SurfaceDistance, DoesNotDependOnTheNumberOfThreads) {
   const Mesh first = torus(2'000, 1);
   const Mesh second = torus(1'000, 2);
@@ -104,12 +122,19 @@ TEST(SurfaceDistance, NeedsTwoSurfaces) {
   EXPECT_THROW(distance_of(Mesh{}, plane), InvalidInput);
 }
 
+std::vector<double> areas_of(const Mesh& mesh) {
+  std::vector<double> areas;
+  for (const Triangle& t : mesh.triangles) areas.push_back(triangle_area(mesh, t));
+  return areas;
+}
+
 // Triangles of very different areas; cells of equal area get as many points each, all over.
 TEST(SurfaceSamples, AreSpreadEvenlyByArea) {
   Mesh mesh = irregular_plane(200, 1);
   for (Vec3& p : mesh.positions) p.x() *= p.x();
   const std::size_t count = 40'000;
-  const SurfaceSamples samples(mesh, count, 1);
+  const std::vector<double> areas = areas_of(mesh);
+  const SurfaceSamples samples(mesh, areas, count, 1);
   std::vector<double> in_cell(16, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 p = samples.at(i);
@@ -123,7 +148,8 @@ TEST(SurfaceSamples, AreSpreadEvenlyByArea) {
 // Four similar parts of one triangle, by their points' largest barycentric coordinate.
 TEST(SurfaceSamples, AreSpreadEvenlyOverATriangle) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const SurfaceSamples samples(mesh, 40'000, 1);
+  const std::vector<double> areas = areas_of(mesh);
+  const SurfaceSamples samples(mesh, areas, 40'000, 1);
   std::vector<double> in_part(4, 0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec3 p = samples.at(i);

@@ -250,7 +250,7 @@ const WrongCall wrong_calls[] = {
        tessellate_in({space(1), space(1), space(1), space(-1)});
      },
      "field[3]"},
-    {"RemeshOfNothing", [] { remesh(two_triangles(), {}); }, "tessellation"},
+    {"RemeshOfNothing", [] { remesh(two_triangles(), Tessellation{}); }, "tessellation"},
     {"RemeshOfAnotherMesh",
      [] { remesh(with_a_loose_triangle(), tessellate(two_triangles(), with_seeds(1))); },
      "another mesh"},

@@ -235,6 +235,23 @@ const BadOption bad_options[] = {
     {"MeshNameForAFolderOfTables", "batch torus.ply -k 4 -o out.STL", "--output: 'out.STL' is the name of a mesh"},
     {"MeshNameForFrames", "relax torus.ply -k 4 -o out --frames f.obj", "--frames: 'f.obj' is the name of a mesh"},
     {"NoMesh", "relax -o out", "MESH"},
+    {"NoVertices", "remesh torus.ply -o r.ply", "--vertices is required"},
+    {"ThreeVertices", "remesh torus.ply -o r.ply -n 3", "--vertices: '3': give a whole number from 4 to 4294967295"},
+    {"NegativeVertices", "remesh torus.ply -o r.ply -n -4", "--vertices: '-4'"},
+    {"VerticesInWords", "remesh torus.ply -o r.ply -n many", "--vertices: 'many'"},
+    {"MoreVerticesThanMemory", "remesh torus.ply -o r.ply -n 4294967295", "torus.ply: needs about"},
+    {"NoRemesh", "remesh torus.ply -n 40", "--output is required"},
+    {"EmptyRemesh", "remesh torus.ply -n 40 -o ''", "--output: empty"},
+    {"EmptyReport", "remesh torus.ply -n 40 -o r.ply --report ''", "--report: empty"},
+    {"EmptyMap", "remesh torus.ply -n 40 -o r.ply --map ''", "--map: empty"},
+    {"EmptyPictureOfRemesh", "remesh torus.ply -n 40 -o r.ply --picture ''", "--picture: empty"},
+    {"RemeshOfUnknownFormat", "remesh missing.ply -n 40 -o r.xyz", "unknown extension '.xyz'"},
+    {"RemeshWithoutExtension", "remesh missing.ply -n 40 -o remesh", "unknown extension ''"},
+    {"SmallPictureOfRemesh", "remesh torus.ply -n 40 -o r.ply --picture r.png --size 63", "--size 63"},
+    {"UnknownEngineOfRemesh", "remesh torus.ply -n 40 -o r.ply --engine fast", "fast"},
+    {"SeedsAndVerticesToVerify", "verify torus.ply -k 4 -n 40", "--vertices and --seeds exclude each other"},
+    {"GraphAndVerticesToVerify", "verify torus.ply -g mixed -n 40", "--vertices and --graph exclude each other"},
+    {"FrontierAndVerticesToVerify", "verify torus.ply --frontier heap -n 40", "--vertices and --frontier exclude each other"},
 };
 // clang-format on
 

@@ -24,6 +24,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitizers.h"
 
 namespace geolloyd {
 namespace {
@@ -285,6 +286,54 @@ TEST_F(Interruption, ResumesOnlyWhatItIsTheCheckpointOf) {
   expect_complaint(geolloyd_with(command("run") + "--resume"), "a damaged one");
 }
 
+// Nothing, or a whole remesh that says whether it is the best so far; no earlier file is lost.
+TEST_F(Interruption, LeavesNothingOrAMarkedRemesh) {
+  if (under_sanitizer) GTEST_SKIP() << "takes ten minutes under a sanitizer";
+  const fs::path folder = folder_.path() / "r";
+  fs::create_directory(folder);
+  const auto remesh = [&](const std::string& vertices) {
+    return "remesh " + mesh_.string() + " -n " + vertices + " -o " + (folder / "r.ply").string() +
+           " --map " + (folder / "r.csv").string() + " --report " + (folder / "r.json").string();
+  };
+  const auto bytes = [&](const char* name) { return read_file(folder / name); };
+  const double longest = duration_of(remesh("800"));
+  const std::string whole = bytes("r.ply");
+  ASSERT_EQ(geolloyd_with(remesh("100")).status, 0);
+  const std::string earlier = bytes("r.ply");
+  std::size_t marked = 0;
+  for (std::size_t run = 0; run < runs(12, 100) || marked == 0; ++run) {
+    SCOPED_TRACE(run);
+    ASSERT_LT(run, 200U) << "no interrupt came in time";
+    const int signal = std::array{SIGINT, SIGTERM, SIGHUP}[run % 3];
+    const int status = end_at_random(remesh("800"), signal, longest, 3000 + run);
+    const std::string text = read_file(folder_.path() / "text");
+    EXPECT_EQ(names_in(folder), (std::set<std::string>{"r.csv", "r.json", "r.ply"}));
+    const bool is_earlier = bytes("r.ply") == earlier;
+    if (status == -signal) {  // before the program itself began
+      EXPECT_TRUE(is_earlier);
+      continue;
+    }
+    if (status == 130 && is_earlier) {
+      EXPECT_EQ(text, "geolloyd: interrupted\n");
+      continue;
+    }
+    const nlohmann::json report = nlohmann::json::parse(bytes("r.json"));
+    const Mesh made = read_mesh(folder / "r.ply").mesh;
+    EXPECT_EQ(made.vertex_count(), report["remesh"]["vertices"]);
+    EXPECT_EQ(lines_of(folder / "r.csv").size(), made.vertex_count() + 1);
+    EXPECT_EQ(report["remesh"]["has_input_topology"], true);
+    EXPECT_EQ(report["interrupted"], status == 130);
+    EXPECT_EQ(text.find("INTERRUPTED, best state so far") != std::string::npos, status == 130);
+    if (status == 130) {
+      ++marked;
+    } else {
+      EXPECT_EQ(status, 0) << text;
+      EXPECT_EQ(bytes("r.ply"), whole);
+    }
+    ASSERT_EQ(geolloyd_with(remesh("100")).status, 0);
+  }
+}
+
 // Other commands end at once, or mark what they have: no file is ever there in part.
 TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
   ASSERT_EQ(geolloyd_with(command("whole")).status, 0);
@@ -308,6 +357,7 @@ TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
            "/p.png",
        is_png},
       {"ground-truth " + mesh + seeds + " --output " + target + "/g", {}},
+      {"verify " + mesh + " -n 300", {}},
       {"compare " + mesh + " -k 40 --threads 1,2 --backends tbb --no-plot -o " + target + "/c",
        {}}};
   std::uint64_t n = 1000;

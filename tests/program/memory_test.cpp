@@ -112,6 +112,25 @@ TEST(MemoryEstimate, GrowsWithEverythingThatIsAskedFor) {
   EXPECT_GT(with([](RunSize& s) { s.seeds = 1; }), plain - 1000 * size.seeds);
 }
 
+TEST(MemoryEstimate, OfARemeshGrowsWithEverythingThatIsAskedFor) {
+  RemeshSize size;
+  size.vertices = size.fine_vertices = 1'000'000;
+  size.triangles = 2'000'000;
+  size.edges = 3'000'000;
+  size.remesh_vertices = 1000;
+  const std::uint64_t plain = memory_to_remesh(size);
+  EXPECT_GT(plain, memory_to_check(size.vertices, size.triangles));
+  const auto with = [&](auto change) {
+    RemeshSize more = size;
+    change(more);
+    return memory_to_remesh(more);
+  };
+  EXPECT_GT(with([](RemeshSize& s) { s.fine_vertices *= 2; }), plain);
+  EXPECT_GT(with([](RemeshSize& s) { s.remesh_vertices *= 10; }), plain);
+  EXPECT_GT(with([](RemeshSize& s) { s.samples = 100'000'000; }), plain);
+  EXPECT_GT(with([](RemeshSize& s) { s.threads = 64; }), plain);
+}
+
 // Names the figure, and does nothing.
 TEST_F(Program, RefusesWhatDoesNotFitIntoTheMemory) {
   const Outcome outcome = relax("--seeds 20 --memory-limit 30M");
@@ -143,8 +162,9 @@ TEST_F(Program, EveryCommandHeedsTheMemoryLimit) {
   for (const std::string& command :
        {"verify " + mesh + " -k 9", "compare " + mesh + " -k 9", "profile " + mesh + " -k 9",
         "batch " + mesh + " -k 9", "ground-truth " + mesh + " -k 9", "quality " + mesh,
-        "info " + mesh, "render " + mesh + " -o p.png",
-        "subdivide " + mesh + " -s midpoint -o fine.ply", std::string("generate torus -o t.ply")}) {
+        "info " + mesh, "render " + mesh + " -o p.png", "remesh " + mesh + " -n 9 -o r.ply",
+        "verify " + mesh + " -n 9", "subdivide " + mesh + " -s midpoint -o fine.ply",
+        std::string("generate torus -o t.ply")}) {
     expect_complaint(geolloyd_with(command + low), "only 20 MB are allowed");
   }
 }
@@ -282,6 +302,37 @@ TEST_F(Program, HoldsNoMoreMemoryThanEstimatedAndNotMuchLess) {
         relax("-k 500 --threads 2 --max-greedy-steps 2 --max-macrosteps 1 -g " + options);
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     const auto report = nlohmann::json::parse(read_file(out() / "report.json"));
+    const auto peak = report["peak_memory_bytes"].get<std::uint64_t>();
+    const auto estimate = report["memory_estimate_bytes"].get<std::uint64_t>();
+    EXPECT_LE(peak, estimate) << options;
+    EXPECT_LT(estimate, 2 * peak + 64'000'000) << options;
+  }
+}
+
+TEST_F(Program, FinishesARemeshWithTheMemoryItAsksFor) {
+  if (under_sanitizer) GTEST_SKIP();
+  ASSERT_EQ(geolloyd_with("generate creature -t 60000 -o " + mesh_.string()).status, 0);
+  const std::string picture = (folder_.path() / "p.png").string();
+  for (const std::string& options :
+       {std::string("--threads 1"), std::string("--threads 16"), std::string("--engine reference"),
+        "--size 256 --picture " + picture}) {
+    const Outcome outcome = run_with_least_memory("remesh " + mesh_.string() + " -n 200 -o " +
+                                                  out("r.ply").string() + " " + options);
+    EXPECT_EQ(outcome.status, 0) << options << "\n" << outcome.text;
+  }
+}
+
+// Where the mesh is what counts, and where the remesh is.
+TEST_F(Program, HoldsNoMoreMemoryForARemeshThanEstimatedAndNotMuchLess) {
+  if (under_sanitizer) GTEST_SKIP();
+  for (const auto& [triangles, options] : {std::pair{"200000", "-n 100"}, {"2000", "-n 4000"}}) {
+    ASSERT_EQ(geolloyd_with("generate creature -o " + mesh_.string() + " -t " + triangles).status,
+              0);
+    const Outcome outcome =
+        geolloyd_with("remesh " + mesh_.string() + " -o " + out("r.ply").string() + " --report " +
+                      out("r.json").string() + " --threads 2 " + options);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    const auto report = nlohmann::json::parse(read_file(out("r.json")));
     const auto peak = report["peak_memory_bytes"].get<std::uint64_t>();
     const auto estimate = report["memory_estimate_bytes"].get<std::uint64_t>();
     EXPECT_LE(peak, estimate) << options;

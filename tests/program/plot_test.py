@@ -53,6 +53,20 @@ class Plots(unittest.TestCase):
         self.assertEqual(self.names(pictures), ["batch.png", "batch-dark.png", "batch-ladder.png",
                                                 "batch-ladder-dark.png"])
 
+    def test_remesh(self) -> None:
+        report = self.folder / "remesh.json"
+        done = run(PROGRAM, "remesh", self.mesh, "--vertices", "100", "-o", self.folder / "remesh.ply", "--report",
+                   report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        drawn = run(sys.executable, SCRIPT, report)
+        if drawn.returncode == 3:
+            self.skipTest("matplotlib is missing")
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+        for name in ("remesh.png", "remesh-dark.png"):
+            self.assertGreater((self.folder / name).stat().st_size, 20_000)
+        result = json.loads(report.read_text())
+        self.assert_refused(json.dumps({**result, "trace": []}), "nothing to draw")
+
     def assert_refused(self, text: str, complaint: str) -> None:
         path = self.folder / "bad.json"
         path.write_text(text)

@@ -464,8 +464,8 @@ TEST_F(Program, SaysWhatItWasBuiltWith) {
 
 TEST_F(Program, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(geolloyd_with("--version").status, 0);
-  for (const std::string command : {"", "relax ", "verify ", "compare ", "profile ", "batch ",
-                                    "generate ", "subdivide ", "info "}) {
+  for (const std::string command : {"", "relax ", "remesh ", "verify ", "compare ", "profile ",
+                                    "batch ", "generate ", "subdivide ", "info "}) {
     const Outcome help = geolloyd_with(command + "--help");
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.text.find("Usage:"), std::string::npos);

@@ -93,8 +93,8 @@ void add_limit_options(CLI::App& command, RelaxationArguments& relaxation) {
       ->group(relaxation_group);
 }
 
-void add_engine_option(CLI::App& command, EngineArguments& engine) {
-  add_choice(command, "--engine", engine.kind, engine_names,
+void add_engine_option(CLI::App& command, EngineKind& engine) {
+  add_choice(command, "--engine", engine, engine_names,
              "parallel, or the sequential reference, which is slow and gives the\n"
              "same result");
 }

@@ -93,7 +93,7 @@ void add_metric_options(CLI::App& command, GraphArguments& graph);
 /// Adds the options of the next line, too.
 void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation);
 void add_limit_options(CLI::App& command, RelaxationArguments& relaxation);
-void add_engine_option(CLI::App& command, EngineArguments& engine);
+void add_engine_option(CLI::App& command, EngineKind& engine);
 void add_frontier_option(CLI::App& command, EngineArguments& engine);
 void add_thread_options(CLI::App& command, ThreadArguments& threads);
 void add_remesh_options(CLI::App& command, RemeshArguments& remesh);

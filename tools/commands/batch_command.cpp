@@ -250,7 +250,7 @@ void add_batch_command(CLI::App& program) {
   add_list(*command, "--microstep-skip", a->microstep_skip,
            "Search only regions whose seed moved; changes the reference's time, never a result",
            switch_names);
-  add_engine_option(*command, a->engine);
+  add_engine_option(*command, a->engine.kind);
   a->start.seeds.init = SeedInit::random_area;
   add_init_options(*command, a->start.seeds);
   add_metric_options(*command, a->start.graph);

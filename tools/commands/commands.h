@@ -8,6 +8,7 @@ namespace geolloyd {
 // normally or throws: Error becomes one line and exit status 2.
 
 void add_relax_command(CLI::App& program);
+void add_remesh_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_verify_command(CLI::App& program);
 void add_compare_command(CLI::App& program);

@@ -113,13 +113,15 @@ void run(int argc, char** argv) {
   CLI::App program(
       "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
       "Try: geolloyd generate creature -o creature.ply\n"
-      "     geolloyd relax creature.ply --seeds 2048 -o result");
+      "     geolloyd relax creature.ply --seeds 2048 -o result\n"
+      "     geolloyd remesh creature.ply --vertices 2048 -o remesh.ply");
   program.name("geolloyd");
   program.set_version_flag("--version", geolloyd::build_facts_text,
                            "Version, and what this program was built with");
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
   geolloyd::add_relax_command(program);
+  geolloyd::add_remesh_command(program);
   geolloyd::add_render_command(program);
   geolloyd::add_verify_command(program);
   geolloyd::add_compare_command(program);

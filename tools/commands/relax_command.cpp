@@ -251,7 +251,7 @@ void add_relax_command(CLI::App& program) {
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_remesh_options(*command, arguments->remesh);
-  add_engine_option(*command, arguments->engine);
+  add_engine_option(*command, arguments->engine.kind);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
   add_picture_options(*command, arguments->picture);

@@ -2,14 +2,21 @@
 #include <CLI/App.hpp>
 
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "core/base/stopwatch.h"
 #include "core/lloyd/paired_engine.h"
 #include "core/lloyd/reference_engine.h"
+#include "core/surface/paired_surface_engine.h"
+#include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
+#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/stages.h"
+#include "tools/run/surface_remesh.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/names.h"
@@ -22,7 +29,27 @@ struct VerifyArguments {
   RelaxationArguments relaxation;
   EngineArguments engine;
   ThreadArguments threads;
+  std::size_t vertices = 0;  ///< of a surface remesh; 0: a relaxation
 };
+
+void print_times(double reference, double parallel, const Scheduler& scheduler) {
+  fmt::print("  {:<12}reference {:.3f} s, parallel {:.3f} s with {} of {}: {:.1f} times as fast\n",
+             "time", reference, parallel, counted(scheduler.threads(), "thread", "threads"),
+             name_of(backend_names, scheduler.backend()), reference / parallel);
+}
+
+void print_agreement(const LoadedInput& loaded, const SurfaceRemesh& remesh,
+                     const SurfaceComparison& comparison) {
+  fmt::print("{}: {}, remesh of {}\n", loaded.input.file.string(),
+             counted(loaded.input.facts.vertices, "vertex", "vertices"),
+             grouped(remesh.mesh.vertex_count()));
+  fmt::print("  {:<12}in all {} and {} of {}, on {}\n", "identical",
+             counted(comparison.labels, "label", "labels"),
+             counted(comparison.cells, "cell's moments", "cells' moments"),
+             counted(comparison.evaluations, "evaluation", "evaluations"),
+             counted(comparison.meshes, "mesh", "meshes"));
+  fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint));
+}
 
 void print_agreement(const Start& start, const Relaxation& relaxation, const PairedEngine& pair,
                      const Scheduler& scheduler) {
@@ -36,11 +63,7 @@ void print_agreement(const Start& start, const Relaxation& relaxation, const Pai
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(relaxation.fingerprint));
-  fmt::print("  {:<12}reference {:.3f} s, parallel {:.3f} s with {} of {}: {:.1f} times as fast\n",
-             "time", pair.expected_seconds(), pair.tested_seconds(),
-             counted(scheduler.threads(), "thread", "threads"),
-             name_of(backend_names, scheduler.backend()),
-             pair.expected_seconds() / pair.tested_seconds());
+  print_times(pair.expected_seconds(), pair.tested_seconds(), scheduler);
 }
 
 std::string describe(const Disagreement& difference, const MeshGraph& mesh_graph) {
@@ -53,7 +76,7 @@ std::string describe(const Disagreement& difference, const MeshGraph& mesh_graph
   return text;
 }
 
-void run_verify(const VerifyArguments& a) {
+void verify_relaxation(const VerifyArguments& a) {
   check_seeds(a.start.seeds);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
@@ -78,6 +101,40 @@ void run_verify(const VerifyArguments& a) {
   if (relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
 }
 
+void verify_remesh(const VerifyArguments& a) {
+  ProgressLine progress;
+  Scheduler scheduler = make_scheduler(a.threads);
+  const LoadedInput loaded = load_surface(a.start.mesh, scheduler, progress);
+  check_remesh_memory(loaded, a.vertices, std::nullopt, scheduler);
+  catch_interrupts();
+  SurfaceComparison comparison;
+  const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
+      make_surface_engines(EngineKind::reference, scheduler),
+      make_surface_engines(EngineKind::parallel, scheduler), comparison);
+  SurfaceRemesh remesh;
+  try {
+    remesh = time_remesh(loaded, a.vertices, make_pairs, scheduler, progress).remesh;
+  } catch (const Disagreement& difference) {
+    throw std::runtime_error(std::string("the engines differ ") + difference.what());
+  }
+  progress.clear();
+  print_agreement(loaded, remesh, comparison);
+  print_times(comparison.expected_seconds, comparison.tested_seconds, scheduler);
+  if (remesh.interrupted) throw InterruptedExit{};
+}
+
+// Nothing that concerns seeds, graphs or the relaxation has a meaning for a remesh.
+void refuse_others(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string& group = option->get_group();
+    const bool is_other = group == "Seeds" || group == "Graph" || group == "Relaxation" ||
+                          option->check_lname("frontier");
+    if (is_other && option->count() > 0) {
+      throw InvalidInput("--vertices and " + option->get_name() + " exclude each other");
+    }
+  }
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& program) {
@@ -85,6 +142,8 @@ void add_verify_command(CLI::App& program) {
       "verify", "Run both engines side by side and compare them at every step, node by node");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_mesh_argument(*command, arguments->start);
+  add_vertices_option(*command, arguments->vertices,
+                      "Verify a remesh with so many vertices instead of a relaxation");
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
@@ -92,8 +151,15 @@ void add_verify_command(CLI::App& program) {
   add_thread_options(*command, arguments->threads);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
-      "Times are those of the relaxation alone.");
-  command->callback([arguments] { run_verify(*arguments); });
+      "Times are those of the engines' work.");
+  command->callback([command, arguments] {
+    if (arguments->vertices > 0) {
+      refuse_others(*command);
+      verify_remesh(*arguments);
+    } else {
+      verify_relaxation(*arguments);
+    }
+  });
 }
 
 }  // namespace geolloyd

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/mesh/closest_on_triangle.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/closest_on_triangle.h"
 #include "tools/evaluation/embree_scene.h"
 #include "tools/evaluation/unit_frame.h"
 
@@ -125,6 +125,12 @@ struct ClosestPoint::Scene : EmbreeScene {
         {(a - p) * frame.scale, (b - p) * frame.scale, (c - p) * frame.scale});
     return a + v * (b - a) + w * (c - a);
   }
+
+  // In the unit frame.
+  [[nodiscard]] double square_distance(const Vec3& p, const Vec3& point) const {
+    const Vec3 away = (p - point) * frame.scale;
+    return dot(away, away);
+  }
 };
 
 ClosestPoint::ClosestPoint(const Mesh& mesh, std::size_t threads)
@@ -132,7 +138,7 @@ ClosestPoint::ClosestPoint(const Mesh& mesh, std::size_t threads)
 
 ClosestPoint::~ClosestPoint() = default;
 
-SurfacePoint ClosestPoint::find(const Vec3& p) const {
+FoundPoint ClosestPoint::find(const Vec3& p, TriangleId guess) const {
   struct Nearest {
     const Scene& scene;
     const Vec3& p;
@@ -142,8 +148,7 @@ SurfacePoint ClosestPoint::find(const Vec3& p) const {
 
     bool visit(TriangleId t) {
       const Vec3 point = scene.closest_to(p, t);
-      const Vec3 away = (p - point) * scene.frame.scale;
-      const double offered = dot(away, away);
+      const double offered = scene.square_distance(p, point);
       if (offered > square || (offered == square && t >= triangle)) return false;
       square = offered;
       triangle = t;
@@ -152,8 +157,35 @@ SurfacePoint ClosestPoint::find(const Vec3& p) const {
     }
     [[nodiscard]] double distance() const { return std::sqrt(square); }
   } nearest{*scene_, p};
+  if (guess != no_id) nearest.visit(guess);
   search(scene_->scene, scene_->frame(p), nearest);
   return {nearest.triangle, nearest.position, nearest.distance() / scene_->frame.scale};
+}
+
+TriangleId ClosestPoint::find_within(const Vec3& p, double distance) const {
+  struct Within {
+    const ClosestPoint& closest;
+    const Vec3& p;
+    double most = 0;
+    TriangleId triangle = no_id;
+
+    bool visit(TriangleId t) {
+      if (triangle != no_id || closest.distance_to(p, t) > most) return false;
+      triangle = t;
+      return true;
+    }
+    // Nothing more is looked for once there is one.
+    [[nodiscard]] double distance() const {
+      return triangle == no_id ? most * closest.scene_->frame.scale : -1;
+    }
+  } within{*this, p, distance};
+  search(scene_->scene, scene_->frame(p), within);
+  return within.triangle;
+}
+
+double ClosestPoint::distance_to(const Vec3& p, TriangleId triangle) const {
+  return std::sqrt(scene_->square_distance(p, scene_->closest_to(p, triangle))) /
+         scene_->frame.scale;
 }
 
 }  // namespace geolloyd

@@ -28,7 +28,7 @@ class NearestSite {
 };
 
 /// A point of a mesh's surface, and how far from it the point is that was asked for (mesh units).
-struct SurfacePoint {
+struct FoundPoint {
   TriangleId triangle;
   Vec3 position;
   double distance;
@@ -46,7 +46,13 @@ class ClosestPoint {
   ClosestPoint& operator=(const ClosestPoint&) = delete;
   ~ClosestPoint();
 
-  [[nodiscard]] SurfacePoint find(const Vec3& p) const;
+  /// `guess`: a triangle thought to be near, or no_id. Any will do, a good one is faster.
+  [[nodiscard]] FoundPoint find(const Vec3& p, TriangleId guess = no_id) const;
+  /// Some triangle that is no farther from `p` than this, or no_id. Faster than find(), and says
+  /// the same of what is near.
+  [[nodiscard]] TriangleId find_within(const Vec3& p, double distance) const;
+  /// From `p` to the nearest point of one triangle: never less than find() says.
+  [[nodiscard]] double distance_to(const Vec3& p, TriangleId triangle) const;
 
  private:
   struct Scene;

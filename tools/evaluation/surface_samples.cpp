@@ -4,17 +4,16 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/mesh/mesh_edges.h"
-#include "core/mesh/mesh_measure.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 
-SurfaceSamples::SurfaceSamples(const Mesh& mesh, std::size_t count, std::uint64_t random_seed)
+SurfaceSamples::SurfaceSamples(const Mesh& mesh, std::span<const double> triangle_area,
+                               std::size_t count, std::uint64_t random_seed)
     : mesh_(mesh), count_(count), random_seed_(random_seed) {
   area_until_.reserve(mesh.triangle_count());
   double area = 0;
-  for (const double of_triangle : triangle_areas(mesh, find_edges(mesh).duplicates)) {
+  for (const double of_triangle : triangle_area) {
     area += of_triangle;
     area_until_.push_back(area);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -12,8 +13,10 @@ namespace geolloyd {
 /// many threads, and successive points are mostly near each other.
 class SurfaceSamples {
  public:
-  /// Keeps a reference to the mesh. Throws InvalidInput where it has no area.
-  SurfaceSamples(const Mesh& mesh, std::size_t count, std::uint64_t random_seed);
+  /// `triangle_area`: per triangle (mesh_measure.h), not negative. Keeps a reference to the mesh.
+  /// Throws InvalidInput where it has no area.
+  SurfaceSamples(const Mesh& mesh, std::span<const double> triangle_area, std::size_t count,
+                 std::uint64_t random_seed);
 
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] Vec3 at(std::size_t sample) const;

@@ -4,13 +4,17 @@
 
 namespace geolloyd {
 
+FileGroup::FileGroup(std::span<const std::filesystem::path> paths) {
+  for (const auto& path : paths) files_.push_back(std::make_unique<FileWriter>(path));
+}
+
 FileGroup::FileGroup(const std::filesystem::path& folder, std::span<const char* const> names) {
   for (const char* name : names) files_.push_back(std::make_unique<FileWriter>(folder / name));
 }
 
 void FileGroup::commit() {
   for (const auto& file : files_) file->finish();
-  remove_file(files_.back()->target());
+  if (files_.size() > 1) remove_file(files_.back()->target());
   for (const auto& file : files_) file->commit();
 }
 

@@ -9,11 +9,13 @@
 
 namespace geolloyd {
 
-/// Files of one folder that appear together, once all of them are complete, or not at all. What was
-/// there under their names stays until then. The last one appears last, and what it replaces goes
-/// before all else: whoever finds it finds all files of one run.
+/// Files that appear together, once all of them are complete, or not at all. What was there under
+/// their names stays until then. The last one appears last, and where there are several, what it
+/// replaces goes before all else: whoever finds it finds all files of one run.
 class FileGroup {
  public:
+  explicit FileGroup(std::span<const std::filesystem::path> paths);
+  /// In one folder.
   FileGroup(const std::filesystem::path& folder, std::span<const char* const> names);
 
   /// Of the n-th name.

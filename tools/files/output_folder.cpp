@@ -8,6 +8,14 @@
 #include "tools/files/folder_lock.h"
 
 namespace geolloyd {
+namespace {
+
+// Also where the last part of it does not exist, and whatever the folder is called.
+std::filesystem::path place_of(const std::filesystem::path& path, std::error_code& error) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+}
+
+}  // namespace
 
 void check_target(const std::filesystem::path& target,
                   std::span<const std::filesystem::path> others) {
@@ -16,8 +24,7 @@ void check_target(const std::filesystem::path& target,
   for (const std::filesystem::path& other : others) {
     if (other.empty()) continue;
     if (std::filesystem::equivalent(target, other, error) ||
-        std::filesystem::weakly_canonical(target, error) ==
-            std::filesystem::weakly_canonical(other, error)) {
+        place_of(target, error) == place_of(other, error)) {
       throw InvalidInput(other.string() + ": would be overwritten: write somewhere else");
     }
   }

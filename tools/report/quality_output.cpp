@@ -26,18 +26,6 @@ std::string share_text(double share) {
   return std::isnan(share) ? "none" : fmt::format("{:.2f} %", 100 * share);
 }
 
-std::string describe(const MeshQuality& q) {
-  return fmt::format(
-      "  {:<12}smallest {:.4g} degrees, mean of each triangle's smallest {:.4g}, "
-      "under 30 degrees {}\n"
-      "  {:<12}smallest {:.4g}, mean {:.4g}\n"
-      "  {:<12}6: {}, 5 to 7: {}, of {}\n",
-      "angle", q.smallest_angle, q.mean_smallest_angle, share_text(q.share_under_30), "quality Q",
-      q.smallest_quality, q.mean_quality, "valence", share_text(q.share_valence_6),
-      share_text(q.share_valence_5_to_7),
-      counted(q.inner_vertices, "inner vertex", "inner vertices"));
-}
-
 std::string distance_table(const Likeness& likeness) {
   TextTable table({"distance", "mean", "%", "RMS", "%", "Hausdorff", "%"}, 1);
   const auto add = [&](const char* name, const DistanceFigures& figures) {
@@ -76,6 +64,32 @@ std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
       grouped(likeness.samples));
 }
 
+Json likeness_part(const Likeness& likeness) {
+  const auto part = [&](const DistanceFigures& figures) {
+    return distance_part(figures, likeness.original.input.facts.bounding_diagonal);
+  };
+  return {{"samples", likeness.samples},
+          {"remesh_to_original", part(likeness.distance.from_first)},
+          {"original_to_remesh", part(likeness.distance.from_second)},
+          {"two_sided", part(likeness.distance.two_sided())},
+          {"energy", likeness.energy},
+          {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal}};
+}
+
+}  // namespace
+
+std::string describe(const MeshQuality& q) {
+  return fmt::format(
+      "  {:<12}smallest {:.4g} degrees, mean of each triangle's smallest {:.4g}, "
+      "under 30 degrees {}\n"
+      "  {:<12}smallest {:.4g}, mean {:.4g}\n"
+      "  {:<12}6: {}, 5 to 7: {}, of {}\n",
+      "angle", q.smallest_angle, q.mean_smallest_angle, share_text(q.share_under_30), "quality Q",
+      q.smallest_quality, q.mean_quality, "valence", share_text(q.share_valence_6),
+      share_text(q.share_valence_5_to_7),
+      counted(q.inner_vertices, "inner vertex", "inner vertices"));
+}
+
 Json quality_part(const MeshQuality& q) {
   return {{"smallest_angle", q.smallest_angle},   {"mean_smallest_angle", q.mean_smallest_angle},
           {"share_under_30", q.share_under_30},   {"smallest_quality", q.smallest_quality},
@@ -83,25 +97,14 @@ Json quality_part(const MeshQuality& q) {
           {"share_valence_6", q.share_valence_6}, {"share_valence_5_to_7", q.share_valence_5_to_7}};
 }
 
-Json figures_part(const Likeness& likeness, const DistanceFigures& figures) {
+Json distance_part(const DistanceFigures& figures, double diagonal) {
   return {{"mean", figures.mean},
           {"rms", figures.rms},
           {"hausdorff", figures.largest},
-          {"mean_percent", percent(likeness, figures.mean)},
-          {"rms_percent", percent(likeness, figures.rms)},
-          {"hausdorff_percent", percent(likeness, figures.largest)}};
+          {"mean_percent", 100 * figures.mean / diagonal},
+          {"rms_percent", 100 * figures.rms / diagonal},
+          {"hausdorff_percent", 100 * figures.largest / diagonal}};
 }
-
-Json likeness_part(const Likeness& likeness) {
-  return {{"samples", likeness.samples},
-          {"remesh_to_original", figures_part(likeness, likeness.distance.from_first)},
-          {"original_to_remesh", figures_part(likeness, likeness.distance.from_second)},
-          {"two_sided", figures_part(likeness, likeness.distance.two_sided())},
-          {"energy", likeness.energy},
-          {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal}};
-}
-
-}  // namespace
 
 std::string quality_text(const QualityRecord& record) {
   const JudgedMesh& remesh = record.remesh;

@@ -2,9 +2,18 @@
 
 #include <string>
 
+#include "geolloyd/evaluation.h"
+#include "geolloyd/measure.h"
+#include "tools/files/json.h"
 #include "tools/run/quality.h"
 
 namespace geolloyd {
+
+/// Angles, quality and valences: three lines for people, and the part `quality` of JSON files.
+std::string describe(const MeshQuality& quality);
+Json quality_part(const MeshQuality& quality);
+/// Mesh units, and percent of `diagonal`.
+Json distance_part(const DistanceFigures& figures, double diagonal);
 
 /// For people.
 std::string quality_text(const QualityRecord& record);

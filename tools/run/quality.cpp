@@ -4,10 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/loops.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/mesh/mesh_measure.h"
 #include "geolloyd/errors.h"
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/site_energy.h"
@@ -36,11 +34,9 @@ void require_area(const JudgedMesh& mesh) {
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
   const Mesh& mesh = likeness.original.input.mesh();
-  const Buffer<double> areas = triangle_areas(mesh, edges.duplicates, scheduler);
-  const std::vector<double> mass = vertex_areas(mesh, {areas.data(), areas.size()});
   const std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
   const double area = likeness.original.input.facts.area;
-  likeness.energy = site_energy(scheduler, mesh.positions, mass, sites);
+  likeness.energy = site_energy(mesh, edges.duplicates, sites, scheduler);
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());
 }
 

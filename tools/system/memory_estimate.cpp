@@ -127,6 +127,20 @@ Bytes memory_to_run(const RunSize& s) {
                       with_gaps(mesh_bytes(s.vertices, s.triangles) + most + per_seed * s.seeds));
 }
 
+Bytes memory_to_remesh(const RemeshSize& s) {
+  // Measured: 280 to 310 bytes for a vertex of the surface, with coarse meshes, labels and dual;
+  // and some 1000 for a site, most of them the last steps that it took.
+  const Bytes moving = 320 * s.fine_vertices + 1100 * s.remesh_vertices;
+  const Bytes vertices = s.remesh_vertices;
+  const Bytes judging = scene_of_points(2 * vertices) + finding_edges(vertices, 2 * vertices);
+  const Bytes picture = s.samples > 0 ? drawing(vertices, 2 * vertices, s.samples) : 0;
+  return std::max(
+      memory_to_check(s.vertices, s.triangles),
+      base + s.threads * per_thread +
+          with_gaps(mesh_bytes(s.vertices, s.triangles) + edge_bytes(s.edges, s.triangles) +
+                    std::max({moving, judging, picture})));
+}
+
 Bytes memory_to_draw(Bytes vertices, Bytes triangles, Bytes samples) {
   return base + with_gaps(mesh_bytes(vertices, triangles) +
                           edge_bytes(likely_edges(triangles), triangles) +

@@ -21,6 +21,17 @@ struct RunSize {
   bool has_ground_truth = false;  ///< for the result or for the remesh
 };
 
+/// What a run of `remesh` works on; without a picture, `samples` is 0.
+struct RemeshSize {
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t fine_vertices = 0;  ///< of the surface on which sites move, its long edges split
+  std::uint64_t remesh_vertices = 0;
+  std::uint64_t samples = 0;
+  std::size_t threads = 1;
+};
+
 // Upper estimates of the most memory held at once, bytes: 1 to 1.5 times what is, from some hundred
 // thousand triangles on, and up to twice that for a picture or ground truth without a relaxation.
 
@@ -30,6 +41,8 @@ std::uint64_t memory_to_read(std::uint64_t file_bytes);
 std::uint64_t memory_to_check(std::uint64_t vertices, std::uint64_t triangles);
 /// Of a whole run of `relax`; no other command that relaxes or draws takes more.
 std::uint64_t memory_to_run(const RunSize& size);
+/// Of a whole run of `remesh`.
+std::uint64_t memory_to_remesh(const RemeshSize& size);
 /// Of drawing a mesh alone.
 std::uint64_t memory_to_draw(std::uint64_t vertices, std::uint64_t triangles,
                              std::uint64_t samples);

@@ -115,8 +115,8 @@ LiftedMemoryLimit::~LiftedMemoryLimit() {
 void require_memory(const std::string& what, std::uint64_t bytes) {
   if (bytes > limit) {
     throw InvalidInput(fmt::format(
-        "{}: needs about {} of memory, but only {} are allowed: use a smaller mesh or picture, a "
-        "graph with fewer arcs, or --memory-limit",
+        "{}: needs about {} of memory, but only {} are allowed: use a smaller mesh, remesh or "
+        "picture, a graph with fewer arcs, or --memory-limit",
         what, memory_text(bytes), memory_text(limit)));
   }
 }
@@ -131,8 +131,8 @@ void announce_memory(const std::string& what, std::uint64_t bytes) {
 
 std::string out_of_memory_message() {
   return fmt::format(
-      "out of memory, of which {} are allowed: use a smaller mesh or picture, a graph with fewer "
-      "arcs, or --memory-limit",
+      "out of memory, of which {} are allowed: use a smaller mesh, remesh or picture, a graph with "
+      "fewer arcs, or --memory-limit",
       memory_text(limit));
 }
 

@@ -28,13 +28,27 @@ void ProgressLine::stage(const std::string& what) {
 }
 
 void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
-  if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return;
-  last_shown_ = watch_.seconds();
+  if (!is_due()) return;
   const bool greedy = progress.phase == Phase::greedy;
   print(fmt::format("{:<7} {:<4} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s",
                     greedy ? "greedy" : "precise", progress.step,
                     bar(progress.seeds_moving, seed_count), progress.seeds_moving, seed_count,
                     progress.energy, watch_.seconds()));
+}
+
+void ProgressLine::show(const SurfaceRemeshProgress& progress) {
+  if (!is_due()) return;
+  print(fmt::format(
+      "sites {:>6} of {}  iteration {:<3} energy {:.4f} of a hexagonal tiling  {:.0f} s",
+      progress.sites, progress.wanted_sites, progress.iteration, progress.energy_ratio,
+      watch_.seconds()));
+}
+
+// Time for the next update, which will then be shown.
+bool ProgressLine::is_due() {
+  if (!on_terminal_ || watch_.seconds() - last_shown_ < seconds_between_updates) return false;
+  last_shown_ = watch_.seconds();
+  return true;
 }
 
 void ProgressLine::clear() {

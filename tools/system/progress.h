@@ -4,10 +4,11 @@
 
 #include "core/base/stopwatch.h"
 #include "core/lloyd/relaxation.h"
+#include "geolloyd/remesh.h"
 
 namespace geolloyd {
 
-/// One line on standard error that tells how far a relaxation is; silent unless that is a terminal.
+/// One line on standard error that tells how far the work is; silent unless that is a terminal.
 class ProgressLine {
  public:
   ProgressLine();
@@ -20,9 +21,11 @@ class ProgressLine {
   /// What is being done, where no steps can be counted.
   void stage(const std::string& what);
   void show(const Progress& progress, std::size_t seed_count);
+  void show(const SurfaceRemeshProgress& progress);
   void clear();
 
  private:
+  [[nodiscard]] bool is_due();
   void print(const std::string& text);
 
   bool on_terminal_;

@@ -6,7 +6,7 @@ namespace geolloyd {
 namespace {
 
 // A line where there is something to say.
-std::string finding(std::size_t count, const char* what) {
+std::string finding(std::size_t count, const std::string& what) {
   return count == 0 ? "" : fmt::format("  {:<12}{} {}\n", "found", grouped(count), what);
 }
 
@@ -26,7 +26,7 @@ std::string counted(std::uint64_t number, const char* singular, const char* plur
   return grouped(number) + " " + (number == 1 ? singular : plural);
 }
 
-std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
+std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy handled_by) {
   std::string text = fmt::format(
       "  {:<12}{}: {}, {}, {}\n"
       "  {:<12}{}, Euler characteristic {}, {}, area {:.6g}, diagonal {:.6g}\n",
@@ -36,16 +36,23 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts) {
       facts.boundary_edges == 0 ? "closed"
                                 : counted(facts.boundary_edges, "boundary edge", "boundary edges"),
       facts.area, facts.bounding_diagonal);
+  const bool in_graph = handled_by == HandledBy::graph;
+  const auto found = [&](std::size_t count, std::string what, const char* by_graph,
+                         const char* by_surface) {
+    text += finding(count, what.append(in_graph ? by_graph : by_surface));
+  };
   text += finding(input.polygon_count, "polygons: split into triangles");
   text += finding(input.welded_corners, "repeated corners: welded");
-  text += finding(facts.unreferenced_vertices, "vertices of no triangle: get no region");
-  text +=
-      finding(facts.repeated_vertex_triangles, "triangles naming a vertex twice: get no region");
-  text += finding(facts.zero_area_triangles, "triangles without area: have no mass");
-  text += finding(facts.duplicate_triangles, "duplicate triangles: mass counted once");
-  text += finding(facts.non_manifold_edges, "non-manifold edges: all their triangles connected");
-  text += finding(facts.inconsistent_edges, "edges between opposite orientations: connected");
-  text += finding(facts.zero_length_edges, "edges without length: one tick long");
+  found(facts.unreferenced_vertices, "vertices of no triangle", ": get no region", ": left out");
+  found(facts.repeated_vertex_triangles, "triangles naming a vertex twice", ": get no region",
+        ": left out");
+  found(facts.zero_area_triangles, "triangles without area", ": have no mass", "");
+  found(facts.duplicate_triangles, "duplicate triangles", ": mass counted once", ": left out");
+  found(facts.non_manifold_edges, "non-manifold edges", ": all their triangles connected",
+        ": cut apart");
+  found(facts.inconsistent_edges, "edges between opposite orientations", ": connected",
+        ": connected");
+  found(facts.zero_length_edges, "edges without length", ": one tick long", "");
   return text;
 }
 

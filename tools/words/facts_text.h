@@ -8,8 +8,12 @@
 
 namespace geolloyd {
 
+/// Who handles the flaws of a mesh: a graph of its vertices or triangles, or a surface remesh.
+enum class HandledBy { graph, surface };
+
 /// A mesh in a few lines for people: what it is, then what was found in it and how that is handled.
-std::string describe(const LoadedMesh& input, const MeshFacts& facts);
+std::string describe(const LoadedMesh& input, const MeshFacts& facts,
+                     HandledBy handled_by = HandledBy::graph);
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "geolloyd/measure.h"
 #include "geolloyd/mesh.h"
 #include "geolloyd/runtime.h"
 #include "geolloyd/tessellate.h"
@@ -37,5 +40,69 @@ struct Remesh {
 /// and tessellation do not belong together.
 Remesh remesh(const Mesh& mesh, const Tessellation& tessellation, const RemeshOptions& options = {},
               Runtime& runtime = reference_runtime());
+
+/// A point of a mesh: on a triangle, with the weights of its corners (not negative; their sum is 1
+/// but for rounding).
+struct SurfacePoint {
+  TriangleId triangle = no_id;
+  std::array<double, 3> weights = {1, 0, 0};
+};
+
+/// Where a surface remesh stands. Sites come in levels, each with about four times as many as the
+/// one before.
+struct SurfaceRemeshProgress {
+  std::size_t sites = 0;         ///< of this level
+  std::size_t wanted_sites = 0;  ///< of the last level
+  std::size_t iteration = 0;     ///< within the level
+  double energy_ratio = 0;       ///< over that of the hexagonal tiling of the plane with as many
+};
+
+struct SurfaceRemeshOptions {
+  std::size_t vertex_count = 0;  ///< at least 4
+  /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
+  /// made from where they are.
+  std::function<bool(const SurfaceRemeshProgress&)> progress;
+};
+
+/// One iteration of a surface remesh.
+struct SurfaceStep {
+  std::size_t sites = 0;
+  std::size_t mesh_vertices = 0;  ///< of the mesh that the sites moved on: a coarse one, or the
+                                  ///< whole surface
+  double energy = 0;              ///< after it, mesh units
+  double seconds = 0;             ///< from the start of the first one to its end
+};
+
+/// A remesh whose vertices are on the surface of the mesh, anywhere.
+struct SurfaceRemesh {
+  Mesh mesh;
+  std::vector<SurfacePoint> places;  ///< per vertex: where it is on the input
+  std::size_t boundary_sites = 0;    ///< the first vertices: on the boundary, evenly spaced
+  std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
+  std::size_t vertices_asked_for = 0;
+  bool interrupted = false;  ///< the progress callback ended the moving of sites
+  std::vector<SurfaceStep> steps;
+  double energy = 0;  ///< integral over the surface of |x - vertex of its cell|^2, mesh units
+  double energy_of_hexagonal_tiling = 0;  ///< of the plane, with as much area and as many cells
+  MeshTopology topology;
+  std::vector<PartTopology> surface_parts;  ///< of the input, cut apart where it is no manifold;
+                                            ///< ascending
+  std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
+  std::size_t vertices_cut = 0;             ///< of the input: where it is no manifold
+  std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
+  std::uint64_t fingerprint = 0;    ///< of the whole course; the same on every machine
+
+  /// False also without triangles.
+  [[nodiscard]] bool is_manifold() const;
+  /// Each part has the Euler characteristic and the boundary loops of one of surface_parts.
+  [[nodiscard]] bool has_input_topology() const;
+};
+
+/// The most regular remesh: sites leave the vertices of the mesh, and their cells are measured on
+/// the surface itself (core/surface). `mesh` may have any flaws; where its edges have three and
+/// more triangles it is cut apart. The remesh has `vertex_count` vertices, or more where its
+/// topology needs them. Throws InvalidInput where the mesh is not valid or has no area.
+SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options,
+                             Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd

@@ -12,6 +12,8 @@ namespace geolloyd {
 class Engine;
 class Executor;
 class GrowingSearch;
+class SurfaceEngine;
+struct FineMesh;
 struct Graph;
 
 /// Who computes: the calling thread by the sequential reference engine, or threads by the parallel
@@ -24,10 +26,11 @@ class Runtime {
   Runtime& operator=(const Runtime&) = delete;
   virtual ~Runtime() = default;
 
-  // For the library. The engine and the search refer to the graph and to this.
+  // For the library. Engines and searches refer to the graph or mesh, and to this.
   virtual Executor& executor() = 0;
   virtual std::unique_ptr<Engine> make_engine(const Graph& graph) = 0;
   virtual std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) = 0;
+  virtual std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) = 0;
 };
 
 /// The calling thread alone: the sequential reference. It is simple, and many times slower than

@@ -28,6 +28,7 @@ class Threads final : public Runtime {
   Executor& executor() override;
   std::unique_ptr<Engine> make_engine(const Graph& graph) override;
   std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) override;
+  std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) override;
 
  private:
   std::unique_ptr<Scheduler> scheduler_;

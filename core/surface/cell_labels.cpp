@@ -1,0 +1,104 @@
+#include "core/surface/cell_labels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/disjoint_sets.h"
+#include "core/surface/nearest_label.h"
+
+namespace geolloyd {
+namespace {
+
+struct Piece {
+  VertexId first = no_id;  // smallest vertex
+  std::uint32_t size = 0;
+  bool has_fixed = false;
+
+  [[nodiscard]] bool is_before(const Piece& other) const {
+    return std::tuple(has_fixed, size, other.first) >
+           std::tuple(other.has_fixed, other.size, first);
+  }
+};
+
+}  // namespace
+
+std::vector<std::array<RegionId, 2>> adjacent_cells(const FineMesh& mesh,
+                                                    std::span<const RegionId> labels) {
+  std::vector<std::array<RegionId, 2>> pairs;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RegionId a = labels[t[c]];
+      const RegionId b = labels[t[(c + 1) % 3]];
+      if (a != b && a != no_id && b != no_id) pairs.push_back(ascending(a, b));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std::uint8_t> is_fixed,
+                    std::vector<RegionId>& labels, Executor& executor) {
+  DisjointSets sets(labels.size(), executor);
+  parallel_for(executor, labels.size(), small_items, [&](std::size_t i) {
+    const auto v = static_cast<VertexId>(i);
+    for (const VertexId u : mesh.neighbours(v)) {
+      if (u < v && labels[u] == labels[v]) sets.unite(u, v);
+    }
+  });
+  std::vector<Piece> piece(labels.size());  // at its smallest vertex
+  for (VertexId v = 0; v < labels.size(); ++v) {
+    Piece& of = piece[sets.find(v)];
+    of.first = std::min(of.first, v);
+    ++of.size;
+    of.has_fixed = of.has_fixed || is_fixed[v] != 0;
+  }
+  std::vector<Piece> kept(sites);
+  for (VertexId v = 0; v < labels.size(); ++v) {
+    if (piece[v].first != v || labels[v] == no_id) continue;
+    Piece& best = kept[labels[v]];
+    if (best.first == no_id || piece[v].is_before(best)) best = piece[v];
+  }
+  for (VertexId v = 0; v < labels.size(); ++v) {
+    if (labels[v] == no_id || is_fixed[v] != 0) continue;
+    if (kept[labels[v]].first != sets.find(v)) labels[v] = no_id;
+  }
+}
+
+void fill_gaps(const FineMesh& mesh, std::span<const Vec3> sites, std::vector<RegionId>& labels) {
+  std::vector<VertexId> gaps;
+  for (VertexId v = 0; v < labels.size(); ++v) {
+    if (labels[v] == no_id) gaps.push_back(v);
+  }
+  while (!gaps.empty()) {
+    std::vector<std::pair<VertexId, RegionId>> filled;
+    std::vector<VertexId> left;
+    for (const VertexId v : gaps) {
+      const RegionId label = nearest_label(mesh, labels, sites, v).label;
+      if (label != no_id) {
+        filled.emplace_back(v, label);
+      } else {
+        left.push_back(v);
+      }
+    }
+    if (filled.empty()) return;
+    for (const auto& [v, label] : filled) labels[v] = label;
+    gaps = std::move(left);
+  }
+}
+
+std::vector<FarthestVertex> farthest_vertices(const FineMesh& mesh, std::span<const Vec3> sites,
+                                              std::span<const std::uint8_t> is_fixed,
+                                              std::span<const RegionId> labels) {
+  std::vector<FarthestVertex> farthest(sites.size());
+  for (VertexId v = 0; v < labels.size(); ++v) {
+    if (labels[v] == no_id || is_fixed[v] != 0) continue;
+    FarthestVertex& best = farthest[labels[v]];
+    const Vec3 away = mesh.positions[v] - sites[labels[v]];
+    const double square = dot(away, away);
+    if (best.vertex == no_id || square > best.square_distance) best = {v, square};
+  }
+  return farthest;
+}
+
+}  // namespace geolloyd

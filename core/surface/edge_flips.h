@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+#include "geolloyd/mesh.h"
+
+namespace geolloyd {
+
+/// Flips edges of a manifold, one after the other, where that makes the smallest angle of the two
+/// triangles larger (Lawson 1977). Triangles that meet at more than 30 degrees, boundary edges, and
+/// edges whose flip would make one that is there already stay. So the topology stays, and creases.
+/// Returns how many it flipped.
+std::size_t flip_edges(Mesh& mesh);
+
+}  // namespace geolloyd

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/bounding_box.h"
+#include "core/base/executor.h"
+#include "core/mesh/mesh.h"
+
+namespace geolloyd {
+
+/// The cube of the unit frame.
+inline BoundingBox unit_box() {
+  return {Vec3::Constant(-1), Vec3::Constant(1)};
+}
+
+/// A triangle mesh in the unit frame, ready for sweeps and cuts. Vertices are in the spatial order
+/// of the unit frame, so that what is near in space is near in memory; triangles in the order of
+/// their smallest vertices.
+struct FineMesh {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  std::vector<double> area;      ///< per triangle; 0 where it stands for no surface
+  std::vector<Triangle> across;  ///< per corner: the vertex beyond the edge opposite to it, or
+                                 ///< no_id where the edge does not have two triangles
+  std::vector<std::uint32_t> first_neighbour;  ///< per vertex, and one more
+  std::vector<VertexId> neighbour;             ///< of each vertex, ascending
+  std::vector<std::uint32_t> first_triangle;   ///< per vertex, and one more
+  std::vector<TriangleId> triangle_at;         ///< around each vertex, ascending
+  double whole_area = 0;
+
+  [[nodiscard]] std::size_t vertex_count() const { return positions.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles.size(); }
+  [[nodiscard]] std::span<const VertexId> neighbours(VertexId v) const {
+    return {neighbour.data() + first_neighbour[v], neighbour.data() + first_neighbour[v + 1]};
+  }
+  [[nodiscard]] std::span<const TriangleId> triangles_at(VertexId v) const {
+    return {triangle_at.data() + first_triangle[v], triangle_at.data() + first_triangle[v + 1]};
+  }
+};
+
+/// Positions, triangles and areas are there already; fills in what follows from them.
+void connect(FineMesh& mesh, Executor& executor = sequential());
+
+}  // namespace geolloyd

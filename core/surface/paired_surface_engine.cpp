@@ -1,0 +1,101 @@
+#include "core/surface/paired_surface_engine.h"
+
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/lloyd/paired_engine.h"
+
+namespace geolloyd {
+namespace {
+
+std::string name_of_label(RegionId label) {
+  return label == no_id ? "none" : "site " + std::to_string(label);
+}
+
+std::string text_of(const Moments& m) {
+  return "area " + std::to_string(m.area) + ", first " + std::to_string(m.first[0]) + " " +
+         std::to_string(m.first[1]) + " " + std::to_string(m.first[2]) + ", second " +
+         std::to_string(m.second);
+}
+
+}  // namespace
+
+PairedSurfaceEngine::PairedSurfaceEngine(std::unique_ptr<SurfaceEngine> expected,
+                                         std::unique_ptr<SurfaceEngine> tested,
+                                         SurfaceComparison& comparison)
+    : expected_(std::move(expected)),
+      tested_(std::move(tested)),
+      comparison_(comparison),
+      mesh_(++comparison.meshes) {}
+
+void PairedSurfaceEngine::assign(std::vector<RegionId> labels,
+                                 std::span<const std::uint8_t> is_fixed) {
+  {
+    const Timed timed(comparison_.expected_seconds);
+    expected_->assign(labels, is_fixed);
+  }
+  const Timed timed(comparison_.tested_seconds);
+  tested_->assign(std::move(labels), is_fixed);
+}
+
+std::span<const Moments> PairedSurfaceEngine::evaluate(std::span<const Vec3> sites) {
+  std::span<const Moments> expected;
+  std::span<const Moments> tested;
+  {
+    const Timed timed(comparison_.expected_seconds);
+    expected = expected_->evaluate(sites);
+  }
+  {
+    const Timed timed(comparison_.tested_seconds);
+    tested = tested_->evaluate(sites);
+  }
+  ++comparison_.evaluations;
+  compare_labels();
+  compare_moments(expected, tested);
+  comparison_.labels += expected_->labels().size();
+  comparison_.cells += expected.size();
+  return expected;
+}
+
+void PairedSurfaceEngine::differ(const std::string& what, const std::string& expected,
+                                 const std::string& tested) const {
+  throw Disagreement("in evaluation " + std::to_string(comparison_.evaluations) + ", on mesh " +
+                         std::to_string(mesh_) + ": " + what + ": expected " + expected + ", got " +
+                         tested,
+                     no_id);
+}
+
+void PairedSurfaceEngine::compare_labels() const {
+  const std::vector<RegionId>& expected = expected_->labels();
+  const std::vector<RegionId>& tested = tested_->labels();
+  if (expected == tested) return;
+  if (expected.size() != tested.size()) {
+    differ("number of labels", std::to_string(expected.size()), std::to_string(tested.size()));
+  }
+  std::size_t v = 0;
+  while (expected[v] == tested[v]) ++v;
+  differ("label of vertex " + std::to_string(v), name_of_label(expected[v]),
+         name_of_label(tested[v]));
+}
+
+void PairedSurfaceEngine::compare_moments(std::span<const Moments> expected,
+                                          std::span<const Moments> tested) const {
+  if (expected.size() != tested.size()) {
+    differ("number of cells", std::to_string(expected.size()), std::to_string(tested.size()));
+  }
+  for (std::size_t r = 0; r < expected.size(); ++r) {
+    if (expected[r] == tested[r]) continue;
+    differ("moments of the cell of site " + std::to_string(r), text_of(expected[r]),
+           text_of(tested[r]));
+  }
+}
+
+MakeSurfaceEngine make_paired_surface_engines(MakeSurfaceEngine expected, MakeSurfaceEngine tested,
+                                              SurfaceComparison& comparison) {
+  return [expected = std::move(expected), tested = std::move(tested),
+          &comparison](const FineMesh& mesh) -> std::unique_ptr<SurfaceEngine> {
+    return std::make_unique<PairedSurfaceEngine>(expected(mesh), tested(mesh), comparison);
+  };
+}
+
+}  // namespace geolloyd

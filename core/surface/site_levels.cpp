@@ -1,0 +1,157 @@
+#include "core/surface/site_levels.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "core/base/random.h"
+#include "core/surface/cell_labels.h"
+#include "core/surface/level_mesh.h"
+#include "core/surface/site_balance.h"
+#include "core/surface/site_refinement.h"
+
+namespace geolloyd {
+namespace {
+
+// Irregular sites of a level are inherited by the next one, so coarse levels, where an iteration
+// costs little, come to rest best.
+std::size_t iterations_on(const LevelMesh& level) {
+  constexpr std::size_t vertex_visits = 5'000'000;
+  return std::clamp(vertex_visits / level.part.size(), std::size_t{35}, std::size_t{200});
+}
+
+// The whole course goes on from the few sites of the first levels, which may have come to rest in a
+// poor place.
+std::uint64_t attempts_with(std::size_t sites) {
+  if (sites <= 150) return 6;
+  return sites <= 600 ? 2 : 0;
+}
+
+// From the last level to the first.
+std::vector<SiteBudget> plan_levels(const SiteBudgeter& budgeter, std::size_t count) {
+  constexpr std::size_t fewest = 50;
+  std::vector<SiteBudget> levels = {budgeter.of_size(count)};
+  while (levels.back().total() > fewest) {
+    SiteBudget coarser = budgeter.at_spacing(2 * levels.back().spacing);
+    if (2 * coarser.total() > levels.back().total()) break;
+    levels.push_back(std::move(coarser));
+  }
+  return levels;
+}
+
+std::vector<double> spacings_of(const std::vector<SiteBudget>& levels) {
+  std::vector<double> spacings;
+  spacings.reserve(levels.size());
+  for (const SiteBudget& level : levels) spacings.push_back(level.spacing);
+  return spacings;
+}
+
+class LevelByLevel {
+ public:
+  LevelByLevel(const SurfaceInput& input, const OuterChains& outer, std::vector<SiteBudget> levels,
+               SiteRelaxer& relaxer, Executor& executor)
+      : input_(input),
+        outer_(outer),
+        levels_(std::move(levels)),
+        meshes_(input, outer, spacings_of(levels_), executor),
+        relaxer_(relaxer),
+        executor_(executor) {}
+
+  RestingSites run() {
+    const std::size_t first = levels_.size() - 1;
+    on_ = &meshes_.at(first);
+    outer_sites_ = place_outer_sites(input_, outer_, levels_[first].spacing);
+    start_sites(*on_, levels_[first].free, outer_sites_, state_.sites, state_.labels);
+    settle(first);
+    for (std::size_t level = first; level-- > 0;) {
+      refine(level);
+      settle(level);
+    }
+    if (on_ != &meshes_.fine()) move_to(meshes_.fine());
+    balance(0);
+    return {std::move(state_), std::move(levels_[0])};
+  }
+
+ private:
+  void balance(std::size_t level) {
+    relaxer_.sweep(*on_, state_);
+    balance_sites(*on_, levels_[level].free, relaxer_.cells(), state_.sites, state_.labels);
+  }
+
+  // What is too large after the first iterations is so for want of sites, not of iterations: each
+  // site removed or inserted leaves irregular ones about it.
+  void settle(std::size_t level) {
+    constexpr std::size_t first_iterations = 10;
+    relaxer_.relax(*on_, state_, first_iterations);
+    balance(level);
+    const double energy = relaxer_.relax(*on_, state_, iterations_on(*on_));
+    try_again(energy, levels_[level].spacing);
+  }
+
+  // Each attempt starts from the best one, shaken.
+  void try_again(double energy, double spacing) {
+    const std::uint64_t attempts = attempts_with(state_.sites.size());
+    for (std::uint64_t attempt = 1; attempt <= attempts; ++attempt) {
+      LabelledSites shaken = state_;
+      shake(shaken.sites, spacing, attempt);
+      const double reached = relaxer_.relax(*on_, shaken, iterations_on(*on_));
+      if (reached >= energy) continue;
+      energy = reached;
+      state_ = std::move(shaken);
+    }
+  }
+
+  static void shake(SurfaceSites& sites, double spacing, std::uint64_t attempt) {
+    constexpr double share = 0.3;  // of a spacing, along each axis, at most
+    for (std::size_t r = 0; r < sites.size(); ++r) {
+      if (sites.stays[r] != 0) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double unit = random_unit(attempt, 3 * r + static_cast<std::size_t>(axis));
+        sites.positions[r][axis] += share * spacing * (2 * unit - 1);
+      }
+    }
+  }
+
+  void refine(std::size_t level) {
+    const auto adjacent = adjacent_cells(*on_->mesh, state_.labels);
+    const auto on_chains = neighbours_on_chains(outer_, outer_sites_.label);
+    const LevelMesh& next = meshes_.at(level);
+    outer_sites_ = place_outer_sites(input_, outer_, levels_[level].spacing);
+    Refinement refinement = refine_sites(state_.sites, adjacent, on_chains, outer_sites_);
+    state_.labels =
+        inherit_labels(*next.mesh, refinement, state_.labels, meshes_.map(next, *on_), executor_);
+    state_.sites = std::move(refinement.sites);
+    on_ = &next;
+    label_outer_vertices(*on_, outer_sites_, state_.labels);
+  }
+
+  // The same sites.
+  void move_to(const LevelMesh& next) {
+    const std::vector<VertexId> stands_for = meshes_.map(next, *on_);
+    std::vector<RegionId> labels(stands_for.size());
+    for (std::size_t v = 0; v < labels.size(); ++v) labels[v] = state_.labels[stands_for[v]];
+    state_.labels = std::move(labels);
+    on_ = &next;
+    label_outer_vertices(*on_, outer_sites_, state_.labels);
+  }
+
+  const SurfaceInput& input_;
+  const OuterChains& outer_;
+  std::vector<SiteBudget> levels_;
+  LevelMeshes meshes_;
+  SiteRelaxer& relaxer_;
+  Executor& executor_;
+  const LevelMesh* on_ = nullptr;
+  LabelledSites state_;
+  OuterSites outer_sites_;
+};
+
+}  // namespace
+
+RestingSites rest_sites(const SurfaceInput& input, const OuterChains& outer, std::size_t count,
+                        SiteRelaxer& relaxer, Executor& executor) {
+  const SiteBudgeter budgeter(input, outer);
+  return LevelByLevel(input, outer, plan_levels(budgeter, count), relaxer, executor).run();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,280 @@
+#include "core/surface/surface_input.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/bucketing.h"
+#include "core/base/disjoint_sets.h"
+#include "core/graph/spatial_order.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/surface/split_edges.h"
+
+namespace geolloyd {
+namespace {
+
+SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
+  const BoundingBox box = bounding_box(
+      3 * mesh.triangle_count(),
+      [&](std::size_t c) { return mesh.positions[mesh.triangles[c / 3][c % 3]]; }, executor);
+  SurfaceFrame frame;
+  frame.middle = box.middle();
+  const double half = box.extent().maxCoeff() / 2;
+  while (half * frame.scale > 1) frame.scale /= 2;
+  while (half > 0 && half * frame.scale <= 0.5) frame.scale *= 2;
+  return frame;
+}
+
+struct UsableTriangles {
+  Mesh mesh;
+  std::vector<TriangleId> origin;
+};
+
+UsableTriangles usable_triangles(const Mesh& mesh, std::span<const TriangleId> duplicates) {
+  UsableTriangles usable;
+  usable.mesh.positions = mesh.positions;
+  usable.mesh.triangles.reserve(mesh.triangle_count());
+  usable.origin.reserve(mesh.triangle_count());
+  auto duplicate = duplicates.begin();
+  for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+    if (duplicate != duplicates.end() && *duplicate == t) {
+      ++duplicate;
+    } else if (has_three_vertices(mesh.triangles[t])) {
+      usable.mesh.triangles.push_back(mesh.triangles[t]);
+      usable.origin.push_back(t);
+    }
+  }
+  return usable;
+}
+
+// The fans of triangles around one vertex, joined across edges of two triangles.
+class Fans {
+ public:
+  /// How many there are. `at` are the triangles at `v`.
+  std::size_t find(const Mesh& mesh, VertexId v, std::span<const TriangleId> at) {
+    fan_.resize(at.size());
+    edges_.clear();
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      fan_[i] = i;
+      for (const VertexId u : mesh.triangles[at[i]]) {
+        if (u != v) edges_.emplace_back(u, i);
+      }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    for (std::size_t i = 0; i < edges_.size();) {
+      std::size_t end = i;
+      while (end < edges_.size() && edges_[end].first == edges_[i].first) ++end;
+      if (end - i == 2) join(edges_[i].second, edges_[i + 1].second);
+      i = end;
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      fan_[i] = fan_[fan_[i]];  // an earlier one, which knows its first already
+      count += fan_[i] == i ? 1 : 0;
+    }
+    return count;
+  }
+  /// The first triangle of that of triangle i.
+  [[nodiscard]] std::size_t root(std::size_t i) const {
+    while (fan_[i] != i) i = fan_[i];
+    return i;
+  }
+
+ private:
+  void join(std::size_t i, std::size_t j) {
+    const std::size_t a = root(i);
+    const std::size_t b = root(j);
+    fan_[std::max(a, b)] = std::min(a, b);
+    fan_[i] = fan_[j] = std::min(a, b);
+  }
+
+  std::vector<std::size_t> fan_;
+  std::vector<std::pair<VertexId, std::size_t>> edges_;  // to a vertex, of a triangle
+};
+
+// The quick way to know most vertices: a walk from triangle to triangle around `v` that comes back
+// to the first one after all. Each edge on the way has two triangles. Not for many triangles,
+// because each step looks at all of them.
+bool is_closed_fan(const Mesh& mesh, VertexId v, std::span<const TriangleId> at) {
+  if (at.empty()) return true;
+  constexpr std::size_t many = 32;
+  if (at.size() > many) return false;
+  const auto next_corner = [&](std::size_t i) {
+    const Triangle& t = mesh.triangles[at[i]];
+    return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+  };
+  const auto last_corner = [&](std::size_t i) {
+    const Triangle& t = mesh.triangles[at[i]];
+    return t[0] == v ? t[2] : t[1] == v ? t[0] : t[1];
+  };
+  std::size_t i = 0;
+  for (std::size_t steps = 1;; ++steps) {
+    const VertexId shared = last_corner(i);
+    std::size_t beyond = at.size();
+    for (std::size_t j = 0; j < at.size(); ++j) {
+      if (j == i) continue;
+      if (last_corner(j) == shared) return false;
+      if (next_corner(j) != shared) continue;
+      if (beyond < at.size()) return false;
+      beyond = j;
+    }
+    if (beyond == at.size()) return false;
+    if (beyond == 0) return steps == at.size();
+    if (steps == at.size()) return false;
+    i = beyond;
+  }
+}
+
+// Vertices with several fans become one for each; those of no triangle are left out in the end,
+// because nothing refers to them. Returns how many had several.
+std::size_t cut_apart(Mesh& mesh, Executor& executor) {
+  const auto at = bucket_sort<TriangleId>(executor, mesh.vertex_count(), mesh.triangle_count(),
+                                          [&](std::size_t t, auto&& put) {
+                                            for (const VertexId v : mesh.triangles[t])
+                                              put(v, static_cast<TriangleId>(t));
+                                          });
+  std::vector<std::vector<VertexId>> found(executor.threads());
+  parallel_for_ranges(executor, mesh.vertex_count(), small_items,
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        Fans fans;
+                        for (auto v = static_cast<VertexId>(begin); v < end; ++v) {
+                          if (is_closed_fan(mesh, v, at[v])) continue;
+                          if (fans.find(mesh, v, at[v]) > 1) found[worker].push_back(v);
+                        }
+                      });
+  std::vector<VertexId> broken;
+  for (const auto& part : found) broken.insert(broken.end(), part.begin(), part.end());
+  std::sort(broken.begin(), broken.end());
+
+  struct Renaming {
+    CornerId corner;
+    VertexId vertex;
+  };
+  std::vector<Renaming> renamings;
+  Fans fans;
+  for (const VertexId v : broken) {
+    fans.find(mesh, v, at[v]);
+    std::vector<VertexId> copy(at[v].size(), v);
+    for (std::size_t i = 1; i < at[v].size(); ++i) {
+      if (fans.root(i) == i) {
+        copy[i] = static_cast<VertexId>(mesh.positions.size());
+        const Vec3 position = mesh.positions[v];
+        mesh.positions.push_back(position);
+      }
+      const Triangle& t = mesh.triangles[at[v][i]];
+      const CornerId corner = 3 * at[v][i] + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
+      renamings.push_back({corner, copy[fans.root(i)]});
+    }
+  }
+  for (const auto& [corner, vertex] : renamings) mesh.triangles[corner / 3][corner % 3] = vertex;
+  return broken.size();
+}
+
+class SurfaceInputBuilder {
+ public:
+  SurfaceInputBuilder(UsableTriangles usable, Executor& executor)
+      : usable_(std::move(usable)), executor_(executor) {}
+
+  SurfaceInput run() {
+    result_.frame = frame_of(usable_.mesh, executor_);
+    sort_vertices();
+    sort_triangles();
+    connect(result_.fine, executor_);
+    find_outer_edges();
+    find_parts();
+    return std::move(result_);
+  }
+
+ private:
+  void sort_vertices() {
+    Mesh& mesh = usable_.mesh;
+    std::vector<std::uint8_t> is_used(mesh.vertex_count(), 0);
+    for (const Triangle& t : mesh.triangles) {
+      for (const VertexId v : t) is_used[v] = 1;
+    }
+    parallel_for(executor_, mesh.vertex_count(), small_items, [&](std::size_t v) {
+      mesh.positions[v] = result_.frame.to_unit(mesh.positions[v]);
+    });
+    std::vector<std::uint32_t> order = spatial_order(
+        MortonGrid(unit_box()), mesh.vertex_count(),
+        // The others may be outside the unit frame.
+        [&](std::size_t v) { return is_used[v] != 0 ? mesh.positions[v] : Vec3(Vec3::Zero()); },
+        executor_);
+    std::erase_if(order, [&](std::uint32_t v) { return is_used[v] == 0; });
+    std::vector<VertexId> place(mesh.vertex_count(), no_id);
+    result_.fine.positions.resize(order.size());
+    parallel_for(executor_, order.size(), small_items, [&](std::size_t i) {
+      place[order[i]] = static_cast<VertexId>(i);
+      result_.fine.positions[i] = mesh.positions[order[i]];
+    });
+    parallel_for(executor_, mesh.triangle_count(), small_items, [&](std::size_t t) {
+      for (VertexId& v : mesh.triangles[t]) v = place[v];
+    });
+  }
+
+  void sort_triangles() {
+    FineMesh& fine = result_.fine;
+    const std::vector<Triangle>& given = usable_.mesh.triangles;
+    const auto by_smallest = bucket_sort<TriangleId>(
+        executor_, fine.vertex_count(), given.size(), [&](std::size_t t, auto&& put) {
+          put(std::min({given[t][0], given[t][1], given[t][2]}), static_cast<TriangleId>(t));
+        });
+    fine.triangles.resize(given.size());
+    fine.area.resize(given.size());
+    result_.origin.resize(given.size());
+    parallel_for(executor_, given.size(), small_items, [&](std::size_t i) {
+      const TriangleId t = by_smallest.entry[i];
+      const auto& [a, b, c] = given[t];
+      const std::vector<Vec3>& p = fine.positions;
+      fine.triangles[i] = given[t];
+      fine.area[i] = norm(cross(p[b] - p[a], p[c] - p[a])) / 2;
+      result_.origin[i] = usable_.origin[t];
+    });
+    usable_ = {};
+  }
+
+  void find_outer_edges() {
+    const FineMesh& fine = result_.fine;
+    for (TriangleId t = 0; t < fine.triangle_count(); ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (fine.across[t][c] != no_id) continue;
+        result_.outer_edges.push_back(
+            ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]));
+      }
+    }
+    std::sort(result_.outer_edges.begin(), result_.outer_edges.end());
+  }
+
+  void find_parts() {
+    const FineMesh& fine = result_.fine;
+    DisjointSets sets(fine.vertex_count(), executor_);
+    parallel_for(executor_, fine.triangle_count(), small_items, [&](std::size_t t) {
+      const auto& [a, b, c] = fine.triangles[t];
+      sets.unite(a, b);
+      sets.unite(b, c);
+    });
+    result_.part.resize(fine.vertex_count());
+    for (VertexId v = 0; v < fine.vertex_count(); ++v) {
+      const std::uint32_t root = sets.find(v);  // the smallest, so it has its number
+      result_.part[v] =
+          root == v ? static_cast<std::uint32_t>(result_.parts++) : result_.part[root];
+    }
+  }
+
+  UsableTriangles usable_;
+  Executor& executor_;
+  SurfaceInput result_;
+};
+
+}  // namespace
+
+SurfaceInput make_surface_input(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                double longest_edge, std::size_t vertex_limit, Executor& executor) {
+  UsableTriangles usable = usable_triangles(mesh, duplicates);
+  const std::size_t vertices_cut = cut_apart(usable.mesh, executor);
+  split_long_edges(usable.mesh, usable.origin, longest_edge, vertex_limit);
+  SurfaceInput input = SurfaceInputBuilder(std::move(usable), executor).run();
+  input.vertices_cut = vertices_cut;
+  return input;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/mesh/mesh.h"
+#include "core/surface/fine_mesh.h"
+
+namespace geolloyd {
+
+/// A translation, then a scaling by a power of two, after which every coordinate of a mesh is
+/// between -1 and 1.
+struct SurfaceFrame {
+  Vec3 middle = Vec3::Zero();
+  double scale = 1;
+
+  [[nodiscard]] Vec3 to_unit(const Vec3& p) const { return (p - middle) * scale; }
+  [[nodiscard]] Vec3 to_mesh(const Vec3& p) const { return p / scale + middle; }
+};
+
+/// The surface on which sites move: the usable triangles of a mesh, cut apart where they are not a
+/// manifold, so that every edge has one or two of them, with long edges split.
+struct SurfaceInput {
+  SurfaceFrame frame;
+  FineMesh fine;
+  std::vector<TriangleId> origin;                    ///< per triangle of `fine`: the mesh's
+  std::vector<std::array<VertexId, 2>> outer_edges;  ///< of `fine`, with one triangle; ascending
+  std::vector<std::uint32_t> part;  ///< per vertex of `fine`: its connected part, by first vertex
+  std::size_t parts = 0;
+  std::size_t vertices_cut = 0;  ///< of the mesh: became several
+};
+
+SurfaceInput make_surface_input(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                double longest_edge, std::size_t vertex_limit,
+                                Executor& executor = sequential());
+
+}  // namespace geolloyd

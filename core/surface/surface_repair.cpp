@@ -1,0 +1,287 @@
+#include "core/surface/surface_repair.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/remesh/seed_insertion.h"
+#include "core/surface/cell_labels.h"
+#include "core/surface/site_balance.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t first_iterations = 10;
+constexpr std::size_t more_iterations = 5;
+
+enum class Inserted { may_move, stays };
+
+class SurfaceRepair {
+ public:
+  SurfaceRepair(const SurfaceInput& input, const OuterChains& outer, RestingSites resting,
+                SiteRelaxer& relaxer, Executor& executor)
+      : input_(input),
+        outer_(outer),
+        budget_(std::move(resting.budget)),
+        wanted_(budget_.total()),
+        level_(fine_level(input, outer)),
+        relaxer_(relaxer),
+        executor_(executor) {
+    result_.state = std::move(resting.state);
+  }
+
+  DualisedSites run() {
+    relaxer_.relax(level_, result_.state, first_iterations);
+    dualise();
+    if (has_violations() && insert(Inserted::may_move)) {
+      relaxer_.relax(level_, result_.state, more_iterations);
+      dualise();
+    }
+    while (has_violations() && insert(Inserted::stays)) {
+      relaxer_.relax(level_, result_.state, 0);
+      dualise();
+    }
+    if (!has_violations() && result_.state.sites.size() > wanted_) try_without_surplus();
+    if (!has_violations()) try_without_holding();
+    return std::move(result_);
+  }
+
+ private:
+  // After a sweep.
+  void dualise() {
+    take_cells();
+    tidy();
+    for (int attempt = 0; has_site_without_cell() && attempt < 4; ++attempt) {
+      balance_sites(level_, budget_.free, result_.cells, result_.state.sites, result_.state.labels);
+      relaxer_.relax(level_, result_.state, 0);
+      take_cells();
+      tidy();
+    }
+    remove_sites_without_cells();
+    surface_ = surface_of_labels();
+    result_.dual = make_dual(surface_, executor_);
+  }
+
+  void take_cells() {
+    const std::span<const Moments> cells = relaxer_.cells();
+    result_.cells.assign(cells.begin(), cells.end());
+  }
+
+  void tidy() {
+    LabelledSites& state = result_.state;
+    keep_one_piece(*level_.mesh, state.sites.size(), level_.is_outer, state.labels, executor_);
+    fill_gaps(*level_.mesh, state.sites.positions, state.labels);
+    // A part that its last site has left gets one again.
+    for (VertexId v = 0; v < state.labels.size(); ++v) {
+      if (state.labels[v] != no_id) continue;
+      state.labels[v] = static_cast<RegionId>(state.sites.size());
+      state.sites.add(level_.mesh->positions[v], level_.part[v]);
+      result_.cells.emplace_back();
+      fill_gaps(*level_.mesh, state.sites.positions, state.labels);
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> sites_without_cells() const {
+    std::vector<std::uint8_t> is_without(result_.state.sites.size(), 1);
+    for (const RegionId r : result_.state.labels) is_without[r] = 0;
+    return is_without;
+  }
+  [[nodiscard]] bool has_site_without_cell() const {
+    const std::vector<std::uint8_t> is_without = sites_without_cells();
+    return std::find(is_without.begin(), is_without.end(), 1) != is_without.end();
+  }
+
+  void remove_sites_without_cells() {
+    const std::vector<std::uint8_t> is_removed = sites_without_cells();
+    remove_sites(is_removed, result_.state.sites, result_.state.labels);
+    std::vector<Moments> kept;
+    for (std::size_t r = 0; r < is_removed.size(); ++r) {
+      if (is_removed[r] == 0) kept.push_back(result_.cells[r]);
+    }
+    result_.cells = std::move(kept);
+  }
+
+  // The labels as a surface whose dual can be made. Pinholes are closed.
+  [[nodiscard]] RegionSurface surface_of_labels() const {
+    const LabelledSites& state = result_.state;
+    RegionSurface surface;
+    surface.vertex_count = input_.fine.vertex_count();
+    surface.region_count = state.sites.size();
+    surface.triangles = input_.fine.triangles;
+    surface.region = state.labels;
+    surface.distance.resize(surface.vertex_count);
+    parallel_for(executor_, surface.vertex_count, small_items, [&](std::size_t v) {
+      surface.distance[v] = norm(input_.fine.positions[v] - state.sites.positions[state.labels[v]]);
+    });
+    std::vector<std::uint8_t> is_at_pinhole(surface.vertex_count, 0);
+    for (const std::vector<VertexId>& loop : outer_.pinholes) {
+      for (const VertexId v : loop) is_at_pinhole[v] = 1;
+      const bool runs_along = has_directed_edge(loop[0], loop[1]);
+      for (std::size_t i = 2; i < loop.size(); ++i) {
+        Triangle cap = {loop[0], loop[i - 1], loop[i]};
+        if (runs_along) std::swap(cap[1], cap[2]);
+        surface.triangles.push_back(cap);
+      }
+    }
+    for (const auto& ends : input_.outer_edges) {
+      if (is_at_pinhole[ends[0]] == 0) surface.irregular_edges.push_back({ends, 1});
+    }
+    return surface;
+  }
+
+  // Whether a triangle names `to` right after `from`.
+  [[nodiscard]] bool has_directed_edge(VertexId from, VertexId to) const {
+    const auto at = input_.fine.triangles_at(from);
+    return std::any_of(at.begin(), at.end(), [&](TriangleId i) {
+      const Triangle& t = input_.fine.triangles[i];
+      return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
+             (t[2] == from && t[0] == to);
+    });
+  }
+
+  [[nodiscard]] bool has_violations() const { return any_removable(result_.dual.violations); }
+
+  // False where there is no place for any.
+  bool insert(Inserted how) {
+    SurfaceSites& sites = result_.state.sites;
+    const std::vector<VertexId> places = insertion_places();
+    if (how == Inserted::may_move) make_room(places.size());
+    const std::size_t before = sites.size();
+    for (const VertexId v : places) {
+      if (level_.is_outer[v] != 0) {
+        insert_outer(v);
+      } else {
+        result_.state.labels[v] = static_cast<RegionId>(sites.size());
+        sites.add(input_.fine.positions[v], input_.part[v]);
+        sites.stays.back() = how == Inserted::stays ? 1 : 0;
+      }
+    }
+    return sites.size() > before;
+  }
+
+  [[nodiscard]] std::vector<VertexId> insertion_places() const {
+    std::vector<VertexId> places;
+    for (const SeedInsertion& insertion : leave_out_neighbours(
+             find_seed_insertions(surface_, result_.dual), result_.state.sites.size())) {
+      places.push_back(insertion.point);
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
+  [[nodiscard]] std::vector<RegionId> regions_of_violations() const {
+    std::vector<RegionId> regions;
+    for (const ClosedBallViolation& violation : result_.dual.violations) {
+      for (const RegionId r : violation.regions) {
+        if (r != no_id) regions.push_back(r);
+      }
+    }
+    return regions;
+  }
+
+  // As it was, if violations come back even where the sites hardly move.
+  void try_without_surplus() {
+    for (int ring = 0; ring < 2; ++ring) hold_neighbours();
+    const DualisedSites before = result_;
+    for (const std::size_t iterations : {more_iterations, std::size_t{1}}) {
+      make_room(0);
+      if (result_.state.sites.size() == before.state.sites.size()) return;
+      relaxer_.relax(level_, result_.state, iterations);
+      dualise();
+      if (!has_violations()) return;
+      result_ = before;
+    }
+  }
+
+  // Sites that were held where they were inserted are seldom at rest. As it was, if violations come
+  // back.
+  void try_without_holding() {
+    std::vector<std::uint8_t>& stays = result_.state.sites.stays;
+    const auto first_free = stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.outer);
+    if (std::count(first_free, stays.end(), 1) == 0) return;
+    const DualisedSites before = result_;
+    std::fill(first_free, stays.end(), std::uint8_t{0});
+    relaxer_.relax(level_, result_.state, more_iterations);
+    dualise();
+    if (has_violations() || result_.state.sites.size() != before.state.sites.size()) {
+      result_ = before;
+    }
+  }
+
+  // Those of inserted sites that stay.
+  void hold_neighbours() {
+    SurfaceSites& sites = result_.state.sites;
+    std::vector<std::uint8_t> stays = sites.stays;
+    const auto is_held = [&](RegionId r) { return r >= sites.outer && sites.stays[r] != 0; };
+    for (const Triangle& t : result_.dual.triangles) {
+      if (!std::any_of(t.begin(), t.end(), is_held)) continue;
+      for (const RegionId r : t) stays[r] = 1;
+    }
+    sites.stays = std::move(stays);
+  }
+
+  // Removes sites of least energy so that with `count` more there are as many as wanted: free ones
+  // that no violation concerns, in parts with many.
+  void make_room(std::size_t count) {
+    SurfaceSites& sites = result_.state.sites;
+    if (sites.size() + count <= wanted_) return;
+    constexpr std::size_t few = 16;
+    std::vector<std::size_t> of_part(input_.parts, 0);
+    for (const std::uint32_t part : sites.part) ++of_part[part];
+    std::vector<std::uint8_t> is_needed = sites.stays;
+    for (const RegionId r : regions_of_violations()) is_needed[r] = 1;
+    const MomentUnit unit(input_.fine.whole_area);
+    std::vector<std::pair<double, RegionId>> by_energy;
+    for (RegionId r = 0; r < sites.size(); ++r) {
+      if (is_needed[r] != 0 || of_part[sites.part[r]] <= few) continue;
+      by_energy.emplace_back(unit.energy(result_.cells[r], sites.positions[r]), r);
+    }
+    std::sort(by_energy.begin(), by_energy.end());
+    by_energy.resize(std::min(by_energy.size(), sites.size() + count - wanted_));
+    std::vector<std::uint8_t> is_removed(sites.size(), 0);
+    for (const auto& [energy, r] : by_energy) is_removed[r] = 1;
+    remove_sites(is_removed, sites, result_.state.labels);
+  }
+
+  // A site on the boundary, with that vertex alone on its chain.
+  void insert_outer(VertexId v) {
+    LabelledSites& state = result_.state;
+    const RegionId old = state.labels[v];
+    if (count_outer_vertices(old) < 2) return;
+    const auto added = static_cast<RegionId>(state.sites.outer);
+    const auto at = static_cast<std::ptrdiff_t>(added);
+    state.sites.positions.insert(state.sites.positions.begin() + at, input_.fine.positions[v]);
+    state.sites.part.insert(state.sites.part.begin() + at, input_.part[v]);
+    state.sites.stays.insert(state.sites.stays.begin() + at, 1);
+    ++state.sites.outer;
+    for (RegionId& label : state.labels) {
+      if (label != no_id && label >= added) ++label;
+    }
+    state.labels[v] = added;
+  }
+
+  [[nodiscard]] std::size_t count_outer_vertices(RegionId r) const {
+    return static_cast<std::size_t>(
+        std::count_if(outer_.vertices.begin(), outer_.vertices.end(),
+                      [&](VertexId v) { return result_.state.labels[v] == r; }));
+  }
+
+  const SurfaceInput& input_;
+  const OuterChains& outer_;
+  SiteBudget budget_;
+  std::size_t wanted_;
+  LevelMesh level_;
+  SiteRelaxer& relaxer_;
+  Executor& executor_;
+  DualisedSites result_;
+  RegionSurface surface_;
+};
+
+}  // namespace
+
+DualisedSites repair_dual(const SurfaceInput& input, const OuterChains& outer, RestingSites resting,
+                          SiteRelaxer& relaxer, Executor& executor) {
+  return SurfaceRepair(input, outer, std::move(resting), relaxer, executor).run();
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,263 @@
+// The command remesh, and verify for remeshes.
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/formats/mesh_io.h"
+#include "core/text/file_io.h"
+#include "tests/support/program.h"
+#include "tests/support/topology.h"
+
+namespace geolloyd {
+namespace {
+
+class Remeshing : public Program {
+ protected:
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] Outcome remesh(const std::string& options,
+                               const std::string& name = "r.ply") const {
+    return geolloyd_with("remesh " + mesh_.string() + " -o " + file(name).string() + " " + options);
+  }
+
+  [[nodiscard]] nlohmann::json report_of(const std::string& options) const {
+    const Outcome outcome = remesh(options + " --report " + file("r.json").string());
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return nlohmann::json::parse(read_file(file("r.json")));
+  }
+
+  static void expect_text(const Outcome& outcome, const std::string& text) {
+    EXPECT_NE(outcome.text.find(text), std::string::npos) << text << "\n" << outcome.text;
+  }
+};
+
+TEST_F(Remeshing, WritesAllItsFiles) {
+  const Outcome outcome =
+      remesh("--vertices 150 --size 200 --report " + file("r.json").string() + " --map " +
+             file("r.csv").string() + " --picture " + file("r.png").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  expect_text(outcome,
+              "150 vertices, 300 triangles, 1 component, Euler characteristic 0, 0 boundary "
+              "loops, manifold, of the input's topology\n");
+  for (const char* name : {"r.ply", "r.json", "r.csv", "r.png"}) {
+    expect_text(outcome, file(name).string());
+  }
+  const Mesh made = read_mesh(file("r.ply")).mesh;
+  EXPECT_EQ(made.vertex_count(), 150U);
+  const MeshTopology topology = topology_of(made);
+  EXPECT_TRUE(topology.is_manifold());
+  EXPECT_EQ(topology.parts, (std::vector<PartTopology>{{0, 0}}));
+  EXPECT_EQ(read_file(file("r.png")).substr(1, 3), "PNG");
+  EXPECT_TRUE(nlohmann::json::accept(read_file(file("r.json"))));
+}
+
+// Each vertex is where the map says.
+TEST_F(Remeshing, MapsItsVerticesOntoTheInput) {
+  ASSERT_EQ(remesh("--vertices 150 --map " + file("r.csv").string()).status, 0);
+  const Mesh input = read_mesh(mesh_).mesh;
+  const Mesh made = read_mesh(file("r.ply")).mesh;
+  const auto lines = lines_of(file("r.csv"));
+  ASSERT_EQ(lines.size(), 151U);
+  EXPECT_EQ(lines[0], "vertex,triangle,weight_0,weight_1,weight_2");
+  for (std::size_t v = 0; v < 150; ++v) {
+    std::istringstream fields(lines[v + 1]);
+    std::vector<std::string> field;
+    for (std::string f; std::getline(fields, f, ',');) field.push_back(f);
+    ASSERT_EQ(field.size(), 5U) << lines[v + 1];
+    EXPECT_EQ(field[0], std::to_string(v));
+    const Triangle& t = input.triangles.at(std::stoul(field[1]));
+    Vec3 place = Vec3::Zero();
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double weight = std::stod(field[2 + c]);
+      EXPECT_GE(weight, 0);
+      sum += weight;
+      place += weight * input.positions[t[c]];
+    }
+    EXPECT_NEAR(sum, 1, 1e-14);
+    EXPECT_LT((place - made.positions[v]).norm(), 1e-14);
+  }
+}
+
+TEST_F(Remeshing, ReportHasTheKeysThatScriptsRelyOn) {
+  const nlohmann::json report = report_of("--vertices 150 --threads 2 --backend openmp");
+  EXPECT_EQ(report["fingerprint"].get<std::string>().size(), 16U);
+  EXPECT_EQ(report["input"]["triangles"], 2000);
+  EXPECT_EQ(report["options"]["vertices"], 150);
+  EXPECT_EQ(report["options"]["engine"], "parallel");
+  EXPECT_EQ(report["options"]["threads"], 2);
+  EXPECT_EQ(report["options"]["backend"], "openmp");
+  EXPECT_EQ(report["interrupted"], false);
+  EXPECT_EQ(report["trace"].size(), report["iterations"]);
+  EXPECT_EQ(report["trace"].back()["mesh_vertices"].get<std::size_t>() >= 1000, true);
+  for (const nlohmann::json& step : report["trace"]) EXPECT_GT(step["energy"], 0);
+  EXPECT_NEAR(report["trace"].back()["energy"].get<double>() / report["energy"].get<double>(), 1,
+              0.02);
+  const nlohmann::json& told = report["remesh"];
+  EXPECT_EQ(told["vertices"], 150);
+  EXPECT_EQ(told["triangles"], 300);
+  EXPECT_EQ(told["surplus_vertices"], 0);
+  EXPECT_EQ(told["boundary_vertices"], 0);
+  EXPECT_EQ(told["is_manifold"], true);
+  EXPECT_EQ(told["has_input_topology"], true);
+  EXPECT_EQ(told["input_is_manifold"], true);
+  EXPECT_EQ(told["topology"], told["input_topology"]);
+  EXPECT_TRUE(told["flaw"].is_null());
+  EXPECT_EQ(told["closed_ball_violations_left"], 0);
+  double sum = 0;
+  for (const char* part : {"load", "edges", "prepare", "move", "assemble", "judge", "write"}) {
+    EXPECT_GE(report["seconds"][part], 0) << part;
+    sum += report["seconds"][part].get<double>();
+  }
+  EXPECT_LE(sum, report["seconds"]["total"].get<double>());
+  EXPECT_GT(report["peak_memory_bytes"], 1'000'000);
+  EXPECT_GT(report["memory_estimate_bytes"], 1'000'000);
+}
+
+// What is told of a remesh is what `quality` finds in its file.
+TEST_F(Remeshing, JudgesAsQualityDoes) {
+  const nlohmann::json report = report_of("--vertices 150");
+  const Outcome judged =
+      geolloyd_with("quality " + file("r.ply").string() + " --original " + mesh_.string() +
+                    " --samples 25000 -o " + file("q.json").string());
+  ASSERT_EQ(judged.status, 0) << judged.text;
+  const auto quality = nlohmann::json::parse(read_file(file("q.json")));
+  EXPECT_EQ(report["quality"], quality["quality"]);
+  EXPECT_EQ(report["remesh"]["topology"], quality["topology"]);
+  nlohmann::json distance = report["input_to_remesh"];
+  EXPECT_EQ(distance["samples"], 25'000);
+  distance.erase("samples");
+  EXPECT_EQ(distance, quality["likeness"]["original_to_remesh"]);
+  EXPECT_NEAR(report["energy_ratio_hexagonal"].get<double>(),
+              quality["likeness"]["energy_ratio_hexagonal"].get<double>(), 0.01);
+}
+
+// Without its times, which never go back.
+nlohmann::json course_of(const nlohmann::json& report) {
+  nlohmann::json course = report["trace"];
+  double before = 0;
+  for (nlohmann::json& step : course) {
+    EXPECT_GE(step["seconds"], before);
+    before = step["seconds"];
+    step.erase("seconds");
+  }
+  EXPECT_LE(before, report["seconds"]["total"].get<double>());
+  return course;
+}
+
+TEST_F(Remeshing, GivesTheSameFingerprintWhateverTheEngineThreadsAndBackend) {
+  const nlohmann::json reference = report_of("--vertices 100 --engine reference");
+  EXPECT_EQ(reference["options"]["threads"], 1);
+  EXPECT_TRUE(reference["options"]["backend"].is_null());
+  const std::string bytes = read_file(file("r.ply"));
+  for (const std::string team : {"--threads 1", "--threads 3", "--threads 2 --backend openmp"}) {
+    const nlohmann::json report = report_of("--vertices 100 " + team);
+    EXPECT_EQ(report["fingerprint"], reference["fingerprint"]) << team;
+    EXPECT_TRUE(course_of(report) == course_of(reference)) << team;
+    EXPECT_EQ(read_file(file("r.ply")), bytes) << team;
+  }
+  EXPECT_NE(report_of("--vertices 101")["fingerprint"], reference["fingerprint"]);
+}
+
+TEST_F(Remeshing, WritesEveryFormatAndReplacesWhatWasThere) {
+  for (const std::string name : {"r.obj", "r.off", "r.stl", "r.ply"}) {
+    for (const std::string vertices : {"60", "90"}) {
+      ASSERT_EQ(remesh("-n " + vertices, name).status, 0);
+      const Mesh made = read_mesh(file(name)).mesh;
+      EXPECT_EQ(made.vertex_count(), std::stoul(vertices)) << name;
+      EXPECT_EQ(made.triangle_count(), 2 * std::stoul(vertices)) << name;
+    }
+  }
+}
+
+TEST_F(Remeshing, SaysHowItHandlesAnInputThatIsNoManifold) {
+  mesh_ = folder_.write("fin.off",
+                        "OFF\n6 4 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n9 9 9\n"
+                        "3 0 1 2\n3 0 1 3\n3 0 1 4\n3 0 2 1\n");
+  const Outcome outcome = remesh("-n 60 --report " + file("r.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  expect_text(outcome, "1 vertices of no triangle: left out");
+  expect_text(outcome, "1 duplicate triangles: left out");
+  expect_text(outcome, "1 non-manifold edges: cut apart");
+  expect_text(outcome,
+              "of the topology of the input, which is no manifold and was cut apart at 2 vertices");
+  const auto told = nlohmann::json::parse(read_file(file("r.json")))["remesh"];
+  EXPECT_EQ(told["is_manifold"], true);
+  EXPECT_EQ(told["input_is_manifold"], false);
+  EXPECT_EQ(told["input_vertices_cut"], 2);
+  EXPECT_EQ(told["input_topology"]["components"], 3);
+}
+
+// A component has vertices enough for its topology, however few were asked for.
+TEST_F(Remeshing, SaysHowManyMoreVerticesTheTopologyNeeds) {
+  const Outcome outcome = remesh("-n 4 --report " + file("r.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const std::size_t count = read_mesh(file("r.ply")).mesh.vertex_count();
+  ASSERT_GE(count, 7U);  // no torus has fewer
+  expect_text(outcome, std::to_string(count - 4) +
+                           " vertices more than asked for, which the topology "
+                           "needs\n");
+  const auto told = nlohmann::json::parse(read_file(file("r.json")))["remesh"];
+  EXPECT_EQ(told["surplus_vertices"], count - 4);
+  EXPECT_EQ(told["has_input_topology"], true);
+}
+
+TEST_F(Remeshing, IsSilentAboutProgressInAPipe) {
+  const Outcome outcome = remesh("-n 100");
+  EXPECT_EQ(outcome.text.find('\r'), std::string::npos);
+  EXPECT_EQ(outcome.text.find("iteration 1"), std::string::npos);
+}
+
+TEST_F(Remeshing, RefusesAMeshWithoutArea) {
+  mesh_ = folder_.write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  expect_complaint(remesh("-n 20"), "line.off: no triangle with an area, so nothing to remesh");
+  expect_complaint(geolloyd_with("verify -n 20 " + mesh_.string()), "nothing to remesh");
+  EXPECT_FALSE(fs::exists(file("r.ply")));
+}
+
+// A picture that cannot be drawn leaves the other files, a report that cannot leaves nothing.
+TEST_F(Remeshing, LosesNoResultByALostPicture) {
+  ASSERT_EQ(remesh("-n 50", "whole.ply").status, 0);
+  const std::string files = " -o r.ply --map r.csv --report r.json --picture r.png --size 800";
+  const std::string command = "cd " + folder_.path().string() + "; ulimit -f 200; " +
+                              std::string(GEOLLOYD_PROGRAM) + " remesh torus.ply -n 50" + files;
+  expect_complaint(run_shell(command), "r.png: cannot write: File too large");
+  EXPECT_EQ(read_file(file("r.ply")), read_file(file("whole.ply")));
+  EXPECT_TRUE(fs::exists(file("r.csv")));
+  EXPECT_TRUE(fs::exists(file("r.json")));
+  EXPECT_FALSE(fs::exists(file("r.png")));
+}
+
+TEST_F(Remeshing, LosesNoEarlierResultWhereOneFileCannotBeWritten) {
+  const std::string files = " -o r.ply --map r.csv --report r.json";
+  const std::string command = "cd " + folder_.path().string() + "; %" +
+                              std::string(GEOLLOYD_PROGRAM) + " remesh torus.ply" + files + " -n ";
+  const auto run = [&](const std::string& before, const std::string& vertices) {
+    std::string text = command;
+    return run_shell(text.replace(text.find('%'), 1, before) + vertices);
+  };
+  ASSERT_EQ(run("", "50").status, 0);
+  std::map<std::string, std::string> earlier;
+  for (const char* name : {"r.ply", "r.csv", "r.json"}) earlier[name] = read_file(file(name));
+  expect_complaint(run("ulimit -f 8; ", "100"), "cannot write: File too large");
+  for (const auto& [name, bytes] : earlier) EXPECT_EQ(read_file(file(name)), bytes) << name;
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_.path())) {
+    names.insert(entry.path().filename());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"torus.ply", "r.ply", "r.csv", "r.json"}));
+}
+
+TEST_F(Remeshing, VerifiesThatTheEnginesAgree) {
+  const Outcome outcome = geolloyd_with("verify " + mesh_.string() + " --vertices 150 --threads 3");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  expect_text(outcome, "1,000 vertices, remesh of 150\n  identical   in all ");
+  expect_text(outcome, report_of("--vertices 150")["fingerprint"].get<std::string>());
+}
+
+}  // namespace
+}  // namespace geolloyd

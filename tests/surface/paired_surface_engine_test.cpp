@@ -1,0 +1,97 @@
+#include "core/surface/paired_surface_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/lloyd/paired_engine.h"
+#include "core/shapes/shapes.h"
+#include "core/surface/reference_surface_engine.h"
+#include "core/surface/surface_remesh.h"
+
+namespace geolloyd {
+namespace {
+
+// An engine that goes wrong in one place, in its n-th evaluation.
+class FaultySurfaceEngine final : public SurfaceEngine {
+ public:
+  enum class Fault { label, area, second, cells };
+
+  FaultySurfaceEngine(const FineMesh& mesh, Fault fault, int after)
+      : true_(make_reference_surface_engine(mesh)), fault_(fault), left_(after) {}
+
+  void assign(std::vector<RegionId> labels, std::span<const std::uint8_t> is_fixed) override {
+    true_->assign(std::move(labels), is_fixed);
+  }
+  std::span<const Moments> evaluate(std::span<const Vec3> sites) override {
+    const std::span<const Moments> cells = true_->evaluate(sites);
+    labels_ = true_->labels();
+    cells_.assign(cells.begin(), cells.end());
+    if (--left_ > 0) return cells_;
+    if (fault_ == Fault::label) labels_[7] = no_id;
+    if (fault_ == Fault::area) ++cells_[1].area;
+    if (fault_ == Fault::second) --cells_[1].second;
+    if (fault_ == Fault::cells) cells_.pop_back();
+    return cells_;
+  }
+  [[nodiscard]] const std::vector<RegionId>& labels() const override { return labels_; }
+  [[nodiscard]] std::span<const Moments> cells() const override { return true_->cells(); }
+
+ private:
+  std::unique_ptr<SurfaceEngine> true_;
+  Fault fault_;
+  int left_;
+  std::vector<RegionId> labels_;
+  std::vector<Moments> cells_;
+};
+
+SurfaceRemesh remesh_with(const MakeSurfaceEngine& make_engine) {
+  const Mesh mesh = torus(500, 1);
+  SurfaceRemeshOptions options;
+  options.vertex_count = 40;
+  return make_surface_remesh(mesh, find_edges(mesh), options, make_engine);
+}
+
+std::string complaint(FaultySurfaceEngine::Fault fault, int after) {
+  SurfaceComparison comparison;
+  const auto faulty = [&](const FineMesh& mesh) {
+    return std::make_unique<FaultySurfaceEngine>(mesh, fault, after);
+  };
+  try {
+    remesh_with(make_paired_surface_engines(make_reference_surface_engine, faulty, comparison));
+  } catch (const Disagreement& difference) {
+    return difference.what();
+  }
+  return "";
+}
+
+TEST(PairedSurfaceEngine, NamesTheFirstEvaluationPlaceAndValueThatDiffer) {
+  using Fault = FaultySurfaceEngine::Fault;
+  const std::string label = complaint(Fault::label, 3);
+  EXPECT_EQ(label.substr(0, 57), "in evaluation 3, on mesh 1: label of vertex 7: expected s");
+  EXPECT_TRUE(label.ends_with(", got none")) << label;
+  const std::string moments =
+      "in evaluation 1, on mesh 1: moments of the cell of site 1: expected ";
+  EXPECT_TRUE(complaint(Fault::area, 1).starts_with(moments));
+  EXPECT_TRUE(complaint(Fault::second, 1).starts_with(moments));
+  EXPECT_TRUE(
+      complaint(Fault::cells, 2).starts_with("in evaluation 2, on mesh 1: number of cells: "));
+}
+
+TEST(PairedSurfaceEngine, IsSilentWhereBothAgree) {
+  SurfaceComparison comparison;
+  const SurfaceRemesh paired = remesh_with(make_paired_surface_engines(
+      make_reference_surface_engine, make_reference_surface_engine, comparison));
+  const SurfaceRemesh alone = remesh_with(make_reference_surface_engine);
+  EXPECT_EQ(paired.fingerprint, alone.fingerprint);
+  EXPECT_EQ(paired.mesh.positions, alone.mesh.positions);
+  EXPECT_GT(comparison.evaluations, comparison.meshes);
+  EXPECT_GT(comparison.labels, comparison.cells);
+  EXPECT_GT(comparison.expected_seconds, 0);
+  EXPECT_GT(comparison.tested_seconds, 0);
+}
+
+}  // namespace
+}  // namespace geolloyd

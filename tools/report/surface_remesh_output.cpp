@@ -1,0 +1,284 @@
+#include "tools/report/surface_remesh_output.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/mesh_io.h"
+#include "geolloyd/errors.h"
+#include "tools/files/csv.h"
+#include "tools/files/output_folder.h"
+#include "tools/render/painters.h"
+#include "tools/render/picture.h"
+#include "tools/report/quality_output.h"
+#include "tools/report/report_parts.h"
+#include "tools/system/build_facts.h"
+#include "tools/words/facts_text.h"
+
+namespace geolloyd {
+namespace {
+
+// Those of a run, the mesh first. The last one tells scripts that all are there.
+std::vector<std::filesystem::path> files_of(const SurfaceRemeshArguments& a) {
+  std::vector<std::filesystem::path> files = {a.output};
+  for (const auto& file : {a.map_file, a.report_file}) {
+    if (!file.empty()) files.push_back(file);
+  }
+  return files;
+}
+
+void write_map(const SurfaceRemesh& remesh, FileWriter& out) {
+  out.text("vertex,triangle,weight_0,weight_1,weight_2\n");
+  for (std::size_t v = 0; v < remesh.places.size(); ++v) {
+    const auto& [triangle, weight] = remesh.places[v];
+    if (triangle == no_id) {
+      write_row(out, v, "-1", "nan", "nan", "nan");
+    } else {
+      write_row(out, v, triangle, weight[0], weight[1], weight[2]);
+    }
+  }
+}
+
+std::string continued(const std::string& text) {
+  return fmt::format("  {:<12}{}\n", "", text);
+}
+
+std::string describe_moves(const SurfaceRemesh& remesh) {
+  std::string text = fmt::format("  {:<12}{}{}", "sites",
+                                 remesh.interrupted ? "INTERRUPTED, best state so far, after " : "",
+                                 counted(remesh.steps.size(), "iteration", "iterations"));
+  if (!remesh.steps.empty()) {
+    const std::size_t first = remesh.steps.front().sites;
+    const std::size_t last = remesh.steps.back().sites;
+    text += first == last ? fmt::format(", {} sites", grouped(last))
+                          : fmt::format(", from {} to {} sites", grouped(first), grouped(last));
+  }
+  return text + fmt::format("\n  {:<12}{:.8g}, {:.5g} of a regular hexagonal tiling\n", "energy",
+                            remesh.energy, remesh.energy / remesh.energy_of_hexagonal_tiling);
+}
+
+// Of the input where it is a manifold, else of what it is cut apart into.
+MeshTopology surface_topology(const SurfaceRemesh& remesh) {
+  MeshTopology topology;
+  topology.parts = remesh.surface_parts;
+  return topology;
+}
+
+// Why the remesh is no manifold of the input's topology; empty where it is one.
+std::string find_flaw(const SurfaceRemesh& remesh) {
+  if (remesh.has_input_topology()) return "";
+  const PartTopology surface = surface_topology(remesh).total();
+  std::string flaw = fmt::format(
+      "the input has {}, Euler characteristic {}, {}",
+      counted(remesh.surface_parts.size(), "component", "components"), surface.euler_characteristic,
+      counted(surface.boundary_loops, "boundary loop", "boundary loops"));
+  if (remesh.violations_left > 0) {
+    flaw += fmt::format("; {} where cells do not meet as they should",
+                        counted(remesh.violations_left, "place", "places"));
+  }
+  return flaw;
+}
+
+std::string describe_size(const SurfaceRemesh& remesh) {
+  const std::size_t vertices = remesh.mesh.vertex_count();
+  const std::size_t wanted = remesh.vertices_asked_for;
+  if (vertices > wanted) {
+    return continued(counted(vertices - wanted, "vertex", "vertices") +
+                     " more than asked for, which the topology needs");
+  }
+  if (vertices < wanted) {
+    return continued(counted(wanted - vertices, "vertex", "vertices") + " fewer than asked for");
+  }
+  return "";
+}
+
+std::string describe(const SurfaceRemesh& remesh) {
+  const bool has_topology = remesh.has_input_topology();
+  std::string text =
+      fmt::format("  {:<12}{}, {}, {}, Euler characteristic {}, {}{}\n", "remesh",
+                  counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
+                  counted(remesh.mesh.triangle_count(), "triangle", "triangles"),
+                  counted(remesh.topology.parts.size(), "component", "components"),
+                  remesh.topology.total().euler_characteristic, describe(remesh.topology),
+                  has_topology && remesh.vertices_cut == 0 ? ", of the input's topology" : "");
+  text += describe_size(remesh);
+  if (remesh.pinholes > 0) {
+    text += continued(counted(remesh.pinholes, "hole smaller than a triangle is a missing triangle",
+                              "holes smaller than a triangle are missing triangles"));
+  }
+  if (remesh.vertices_cut > 0) {
+    text += continued(fmt::format("{}the input, which is no manifold and was cut apart at {}",
+                                  has_topology ? "of the topology of " : "made from ",
+                                  counted(remesh.vertices_cut, "vertex", "vertices")));
+  }
+  const std::string flaw = find_flaw(remesh);
+  if (!flaw.empty()) {
+    text += continued(std::string(remesh.is_manifold() ? "" : "NO MANIFOLD, ") +
+                      "NOT OF THE INPUT'S TOPOLOGY: " + flaw);
+  }
+  return text;
+}
+
+std::string describe(const RemeshFigures& figures, double diagonal) {
+  std::string text = describe(figures.quality);
+  if (!figures.distance) return text;
+  const DistanceFigures& distance = *figures.distance;
+  return text + fmt::format(
+                    "  {:<12}from the input to the remesh: mean {:.4g}, {:.4g} % of the diagonal; "
+                    "largest {:.4g}, {:.4g} %\n",
+                    "distance", distance.mean, 100 * distance.mean / diagonal, distance.largest,
+                    100 * distance.largest / diagonal);
+}
+
+std::string describe_cost(const LoadedInput& loaded, const SurfaceRemeshResult& result) {
+  const TimedRemesh::Seconds& remesh = result.made.seconds;
+  return fmt::format(
+      "  {:<12}{:.2f} s: load {:.2f}, edges {:.2f}, prepare {:.2f}, move {:.2f}, assemble {:.2f}, "
+      "judge {:.2f}, write {:.2f}; {:.0f} MB, {}\n",
+      "time", result.total_seconds, loaded.seconds, loaded.edge_seconds, remesh.prepare,
+      remesh.move, remesh.assemble, result.judge_seconds, result.write_seconds,
+      static_cast<double>(result.peak_memory_bytes) * 1e-6,
+      counted(result.threads, "thread", "threads"));
+}
+
+std::string describe_files(const SurfaceRemeshArguments& arguments) {
+  std::string names;
+  for (const auto& file : files_of(arguments)) names.append(" ").append(file.string());
+  std::string text = fmt::format("  {:<11}{}\n", "written", names);
+  if (!arguments.picture_file.empty()) text += continued(arguments.picture_file.string());
+  return text;
+}
+
+Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
+  return {{"vertices", a.vertices},
+          {"engine", name_of(engine_names, a.engine)},
+          {"threads", threads},
+          {"backend", backend_part(a.engine, a.threads.backend)}};
+}
+
+Json remesh_part(const SurfaceRemesh& remesh) {
+  const std::string flaw = find_flaw(remesh);
+  const auto vertices = static_cast<std::int64_t>(remesh.mesh.vertex_count());
+  const auto wanted = static_cast<std::int64_t>(remesh.vertices_asked_for);
+  return {{"vertices", vertices},
+          {"triangles", remesh.mesh.triangle_count()},
+          {"surplus_vertices", vertices - wanted},
+          {"boundary_vertices", remesh.boundary_sites},
+          {"pinholes", remesh.pinholes},
+          {"edges_flipped", remesh.edges_flipped},
+          {"is_manifold", remesh.is_manifold()},
+          {"has_input_topology", remesh.has_input_topology()},
+          {"input_is_manifold", remesh.vertices_cut == 0},
+          {"input_vertices_cut", remesh.vertices_cut},
+          {"flaw", flaw.empty() ? Json(nullptr) : Json(flaw)},
+          {"topology", topology_part(remesh.topology)},
+          {"input_topology", topology_part(surface_topology(remesh))},
+          {"closed_ball_violations_left", remesh.violations_left}};
+}
+
+Json distance_part(const RemeshFigures& figures, double diagonal) {
+  if (!figures.distance) return nullptr;
+  Json part = {{"samples", figures.samples}};
+  part.update(distance_part(*figures.distance, diagonal));
+  return part;
+}
+
+Json seconds_part(const LoadedInput& loaded, const SurfaceRemeshResult& result) {
+  const TimedRemesh::Seconds& remesh = result.made.seconds;
+  return {{"load", loaded.seconds},        {"edges", loaded.edge_seconds},
+          {"prepare", remesh.prepare},     {"move", remesh.move},
+          {"assemble", remesh.assemble},   {"judge", result.judge_seconds},
+          {"write", result.write_seconds}, {"total", result.total_seconds}};
+}
+
+Json trace_part(const SurfaceRemesh& remesh) {
+  Json trace = Json::array();
+  for (const SurfaceStep& step : remesh.steps) {
+    trace.push_back({{"sites", step.sites},
+                     {"mesh_vertices", step.mesh_vertices},
+                     {"energy", step.energy},
+                     {"seconds", step.seconds}});
+  }
+  return trace;
+}
+
+std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                        const SurfaceRemeshResult& result) {
+  const SurfaceRemesh& remesh = result.made.remesh;
+  Json report;
+  report["command"] = "remesh";
+  report["program"] = program_name();
+  report["machine"] = machine_part();
+  report["input"] = mesh_part(loaded.input);
+  report["options"] = options_part(arguments, result.threads);
+  report["interrupted"] = remesh.interrupted;
+  report["iterations"] = remesh.steps.size();
+  report["energy"] = remesh.energy;
+  report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
+  report["remesh"] = remesh_part(remesh);
+  report["quality"] = quality_part(result.figures.quality);
+  report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
+  report["fingerprint"] = fingerprint_text(remesh.fingerprint);
+  report["seconds"] = seconds_part(loaded, result);
+  report["memory_estimate_bytes"] = result.memory_estimate;
+  report["peak_memory_bytes"] = result.peak_memory_bytes;
+  report["trace"] = trace_part(remesh);
+  return json_text(report);
+}
+
+}  // namespace
+
+void check_remesh_targets(const SurfaceRemeshArguments& a) {
+  check_mesh_name(a.output);
+  std::vector<std::filesystem::path> others = {a.mesh};
+  for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file}) {
+    if (file.empty()) continue;
+    check_target(file, others);
+    others.push_back(file);
+  }
+}
+
+FileGroup open_remesh_files(const SurfaceRemeshArguments& arguments) {
+  return FileGroup(files_of(arguments));
+}
+
+void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemesh& remesh,
+                  FileGroup& files) {
+  write_mesh(files[0], remesh.mesh);
+  if (!arguments.map_file.empty()) write_map(remesh, files[1]);
+}
+
+void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                         const SurfaceRemeshResult& result, FileGroup& files) {
+  if (!arguments.report_file.empty()) {
+    files[arguments.map_file.empty() ? 1 : 2].text(report_text(arguments, loaded, result));
+  }
+  files.commit();
+}
+
+void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,
+                          Scheduler& scheduler) {
+  const PictureArguments& look = arguments.picture;
+  const Picture picture(remesh, look.view, look.size, 1, false, scheduler);
+  const Canvas canvas = paint_mesh(picture.scene(), scheduler);
+  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
+  picture.write(arguments.picture_file, panels);
+}
+
+std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                     const SurfaceRemeshResult& result) {
+  const SurfaceRemesh& remesh = result.made.remesh;
+  const Input& input = loaded.input;
+  return fmt::format("{}\n{}", input.file.string(),
+                     describe(input.loaded, input.facts, HandledBy::surface)) +
+         describe_moves(remesh) + describe(remesh) +
+         describe(result.figures, input.facts.bounding_diagonal) +
+         fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
+         describe_cost(loaded, result) + describe_files(arguments);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "parallel/threads/scheduler.h"
+#include "tools/cli/surface_remesh_arguments.h"
+#include "tools/files/file_group.h"
+#include "tools/run/surface_remesh.h"
+
+namespace geolloyd {
+
+/// All there is to tell of one run of `remesh`.
+struct SurfaceRemeshResult {
+  TimedRemesh made;
+  RemeshFigures figures;
+  std::size_t threads = 0;
+  std::uint64_t memory_estimate = 0;  ///< bytes
+  double judge_seconds = 0;
+  double write_seconds = 0;
+  double total_seconds = 0;             ///< of everything until the files were written
+  std::uint64_t peak_memory_bytes = 0;  ///< until then
+};
+
+/// Makes sure that all files can be written, and that none would replace the input or another,
+/// before any work depends on it. Throws Error.
+void check_remesh_targets(const SurfaceRemeshArguments& arguments);
+
+/// The remesh, the map and the report, as far as they are asked for, in this order.
+FileGroup open_remesh_files(const SurfaceRemeshArguments& arguments);
+/// All but the report. The map has a line per vertex: vertex, triangle of the input, and the
+/// weights of its three corners; -1 and no weights where a vertex has no triangle.
+void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemesh& remesh,
+                  FileGroup& files);
+/// The report, if it is asked for, with which all files appear.
+void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                         const SurfaceRemeshResult& result, FileGroup& files);
+
+/// The remesh with its edges.
+void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,
+                          Scheduler& scheduler);
+
+/// For people.
+std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                     const SurfaceRemeshResult& result);
+
+}  // namespace geolloyd

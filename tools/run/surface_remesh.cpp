@@ -1,0 +1,131 @@
+#include "tools/run/surface_remesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/loops.h"
+#include "core/base/stopwatch.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_measure.h"
+#include "core/surface/reference_surface_engine.h"
+#include "core/surface/surface_remesh.h"
+#include "geolloyd/errors.h"
+#include "parallel/surface/parallel_surface_engine.h"
+#include "tools/evaluation/surface_distance.h"
+#include "tools/render/picture.h"
+#include "tools/system/interrupt.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+
+namespace geolloyd {
+namespace {
+
+// How many vertices the surface on which sites move has, about: edges longer than 0.6 spacings are
+// halved again and again (core/surface/split_edges.h).
+std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
+                                     Scheduler& scheduler) {
+  const Mesh& mesh = loaded.input.mesh();
+  const double longest = 0.6 * std::sqrt(loaded.input.facts.area / static_cast<double>(vertices));
+  const auto pieces = [&](VertexId a, VertexId b) {
+    const double length = norm(mesh.positions[a] - mesh.positions[b]);
+    double count = 1;
+    while (length > longest * count) count *= 2;
+    return count;
+  };
+  // Whole numbers: sums are exact.
+  auto added = parallel_reduce<double>(
+      scheduler, loaded.edges.size(), small_items, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t e = begin; e < end; ++e) {
+          sum += pieces(loaded.edges.ends[e][0], loaded.edges.ends[e][1]) - 1;
+        }
+        return sum;
+      });
+  added += parallel_reduce<double>(
+      scheduler, mesh.triangle_count(), small_items, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+          const auto& [a, b, c] = mesh.triangles[t];
+          const double rows = std::min({pieces(a, b), pieces(b, c), pieces(c, a)});
+          sum += (rows - 1) * (rows - 2) / 2;
+        }
+        return sum;
+      });
+  // Measured: up to 1.65 times that, because halving makes diagonals that are long again.
+  constexpr double diagonals = 1.7;
+  constexpr double most = 1e12;
+  return mesh.vertex_count() + static_cast<std::uint64_t>(std::min(most, diagonals * added));
+}
+
+}  // namespace
+
+MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler) {
+  if (kind == EngineKind::reference) return make_reference_surface_engine;
+  return
+      [&scheduler](const FineMesh& mesh) { return make_parallel_surface_engine(mesh, scheduler); };
+}
+
+LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
+                         ProgressLine& progress) {
+  progress.stage("reading " + file.string());
+  LoadedInput loaded = load_input(file, scheduler);
+  if (!(loaded.input.facts.area > 0)) {
+    throw InvalidInput(file.string() + ": no triangle with an area, so nothing to remesh");
+  }
+  return loaded;
+}
+
+std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                  const std::optional<PictureArguments>& picture,
+                                  Scheduler& scheduler) {
+  const Mesh& mesh = loaded.input.mesh();
+  RemeshSize size;
+  size.vertices = mesh.vertex_count();
+  size.triangles = mesh.triangle_count();
+  size.edges = loaded.edges.size();
+  size.fine_vertices = estimate_fine_vertices(loaded, vertices, scheduler);
+  size.remesh_vertices = vertices;
+  size.threads = scheduler.threads();
+  if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
+  const std::uint64_t bytes = memory_to_remesh(size);
+  announce_memory(loaded.input.file.string(), bytes);
+  return bytes;
+}
+
+TimedRemesh time_remesh(const LoadedInput& loaded, std::size_t vertices,
+                        const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
+                        ProgressLine& progress) {
+  progress.stage("preparing the surface");
+  const Stopwatch start;
+  std::optional<Stopwatch> first_move;
+  Stopwatch last_move;
+  SurfaceRemeshOptions options;
+  options.vertex_count = vertices;
+  options.progress = [&](const SurfaceRemeshProgress& p) {
+    last_move = Stopwatch();
+    if (!first_move) first_move = last_move;
+    progress.show(p);
+    return !interrupted();
+  };
+  TimedRemesh timed;
+  timed.remesh =
+      make_surface_remesh(loaded.input.mesh(), loaded.edges, options, make_engine, scheduler);
+  timed.seconds.prepare = first_move.value_or(last_move).since(start);
+  timed.seconds.move = last_move.since(first_move.value_or(last_move));
+  timed.seconds.assemble = last_move.seconds();
+  return timed;
+}
+
+RemeshFigures judge_remesh(const LoadedInput& loaded, const Mesh& remesh, Scheduler& scheduler) {
+  constexpr std::size_t samples = 25'000;
+  RemeshFigures figures;
+  figures.quality = measure_quality(remesh, find_edges(remesh, scheduler));
+  if (remesh.triangles.empty()) return figures;
+  const Mesh& mesh = loaded.input.mesh();
+  figures.samples = samples;
+  figures.distance =
+      measure_distance_one_way(scheduler, mesh, loaded.edges, remesh, figures.samples);
+  return figures;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "core/mesh/mesh_quality.h"
+#include "core/surface/surface_engine.h"
+#include "geolloyd/evaluation.h"
+#include "geolloyd/remesh.h"
+#include "parallel/threads/scheduler.h"
+#include "tools/cli/relax_arguments.h"
+#include "tools/run/input.h"
+#include "tools/system/progress.h"
+
+namespace geolloyd {
+
+/// Engines of this kind. `scheduler` must live on.
+MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
+
+/// Reads the mesh and finds its edges. Throws InvalidInput where it has no area.
+LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
+                         ProgressLine& progress);
+
+/// Bytes, of the whole run, with a picture if one will be drawn. Throws InvalidInput where they are
+/// more than there are.
+std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                  const std::optional<PictureArguments>& picture,
+                                  Scheduler& scheduler);
+
+/// A surface remesh, and how long its parts took.
+struct TimedRemesh {
+  SurfaceRemesh remesh;
+  struct Seconds {
+    double prepare = 0;   ///< until sites began to move
+    double move = 0;      ///< sites
+    double assemble = 0;  ///< the mesh, once they had stopped
+  } seconds;
+};
+
+/// Shows progress. An interrupt (interrupt.h) ends the moving of sites.
+TimedRemesh time_remesh(const LoadedInput& loaded, std::size_t vertices,
+                        const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
+                        ProgressLine& progress);
+
+/// What a remesh is judged by.
+struct RemeshFigures {
+  MeshQuality quality;
+  std::size_t samples = 0;                  ///< of the input
+  std::optional<DistanceFigures> distance;  ///< from the input to the remesh, if that is a surface
+};
+
+/// Takes some tenths of a second, however large the input is.
+RemeshFigures judge_remesh(const LoadedInput& loaded, const Mesh& remesh, Scheduler& scheduler);
+
+}  // namespace geolloyd
