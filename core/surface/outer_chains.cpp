@@ -249,7 +249,7 @@ class OuterSitePlacer {
     std::vector<std::size_t> place;
     const double step = chain.length() / static_cast<double>(intervals);
     for (const double arc : chain.arc) {
-      const std::size_t nearest = round_to_whole(arc / step);
+      const std::size_t nearest = step > 0 ? round_to_whole(arc / step) : 0;
       place.push_back(std::min(nearest, intervals));
     }
     return place;
