@@ -65,16 +65,15 @@ bool is_fine_surface(const SurfaceInput& input, const SurfaceFineness& fineness)
 
 void make_input(Run& run, const Workers& workers) {
   Inputs& in = run.inputs();
-  const SurfaceInput& expected = in.surface(run.seeds()).input;
+  const SurfaceInput& expected = in.surface(run.seeds()).input();
   const SurfaceFineness fineness = surface_fineness(in.mesh(), in.edges(), run.seeds());
   const auto work = [&] {
-    return make_surface_input(in.mesh(), in.edges().duplicates, fineness.longest_edge,
-                              fineness.vertex_limit, workers.executor);
+    return make_surface_input(in.mesh(), fineness.options(in.edges().duplicates), workers.executor);
   };
   run.verify("not the surface of the mesh", [&] {
     const SurfaceInput made = work();
     return is_fine_surface(made, fineness) && same_mesh_bytes(made.fine, expected.fine) &&
-           made.origin == expected.origin && made.outer_edges == expected.outer_edges &&
+           made.origin == expected.origin && made.boundary_edges == expected.boundary_edges &&
            made.part == expected.part;
   });
   run.measure(work);
@@ -87,9 +86,9 @@ bool stand_for_all(const LevelMeshes& levels, std::size_t spacing) {
   if (&coarse == &levels.fine()) return true;
   const std::vector<VertexId> stands_for = levels.map(levels.fine(), coarse);
   for (std::size_t v = 0; v < stands_for.size(); ++v) {
-    if (coarse.part[stands_for[v]] != levels.fine().part[v]) return false;
+    if (coarse.patch[stands_for[v]] != levels.fine().patch[v]) return false;
   }
-  return stands_for.size() == levels.fine().part.size();
+  return stands_for.size() == levels.fine().patch.size();
 }
 
 bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::size_t count) {
@@ -103,14 +102,14 @@ bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::siz
 void make_levels(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
   const auto work = [&] {
-    return LevelMeshes(start.input, start.outer, start.spacings, workers.executor);
+    return LevelMeshes(start.surface(), start.spacings, workers.executor);
   };
   run.verify("not the levels of the calling thread", [&] {
-    const LevelMeshes expected(start.input, start.outer, start.spacings);
+    const LevelMeshes expected(start.surface(), start.spacings);
     return are_levels(work(), expected, start.spacings.size());
   });
   run.measure(work);
-  run.rate("vertices/s", start.input.fine.vertex_count());
+  run.rate("vertices/s", start.input().fine.vertex_count());
   run.count("levels", start.spacings.size());
 }
 
@@ -131,8 +130,8 @@ std::vector<Vec3> shifted_sites(const SurfaceStart& start) {
 
 std::unique_ptr<SurfaceEngine> engine_at_rest(const SurfaceStart& start,
                                               const MakeSurfaceEngine& make_engine) {
-  auto engine = make_engine(start.input.fine);
-  engine->assign(start.resting.state.labels, fine_level(start.input, start.outer).is_outer);
+  auto engine = make_engine(start.input().fine);
+  engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_chain);
   return engine;
 }
 
@@ -158,7 +157,7 @@ void evaluate(Run& run, const Workers& workers) {
     std::swap(from, to);
     engine->evaluate(from);
   });
-  run.rate("vertices/s", start.input.fine.vertex_count());
+  run.rate("vertices/s", start.input().fine.vertex_count());
 }
 
 struct Descended {
@@ -173,7 +172,7 @@ Descended descend_ten(const SurfaceStart& start, SurfaceEngine& engine, Executor
   options.stays = start.resting.state.sites.stays;
   options.most_iterations = 10;
   options.longest_move = 0.5 * start.spacings.front();
-  result.energy = descend(start.input.fine, engine, result.sites, options, executor);
+  result.energy = descend(start.input().fine, engine, result.sites, options, executor);
   return result;
 }
 
@@ -184,9 +183,9 @@ bool went_down(const SurfaceStart& start, const Descended& descended) {
 
 void descend(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
-  const auto engine = workers.make_engine(start.input.fine);
-  const LevelMesh level = fine_level(start.input, start.outer);
-  const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_outer); };
+  const auto engine = workers.make_engine(start.input().fine);
+  const LevelMesh level = fine_level(start.surface());
+  const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_chain); };
   const auto work = [&] { return descend_ten(start, *engine, workers.executor); };
   run.verify("not the way down of the reference", [&] {
     prepare();
@@ -205,21 +204,22 @@ struct Refined {
   std::vector<RegionId> labels;
 };
 
-Refined refine_at_rest(const SurfaceStart& start, const OuterSites& finer,
+Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
                        std::span<const std::array<RegionId, 2>> on_chains,
                        std::span<const VertexId> itself, Executor& executor) {
   const LabelledSites& state = start.resting.state;
-  const auto adjacent = adjacent_cells(start.input.fine, state.labels);
+  const LevelMesh level = fine_level(start.surface());
+  const auto adjacent = adjacent_cells(level, state.labels);
   Refined refined{refine_sites(state.sites, adjacent, on_chains, finer), {}};
   refined.labels =
-      inherit_labels(start.input.fine, refined.refinement, state.labels, itself, executor);
+      inherit_labels(level, refined.refinement, state.labels, itself, executor);
   return refined;
 }
 
 // No heir of a vertex's old site is nearer to it than that of its new label.
 bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
   for (std::size_t v = 0; v < refined.labels.size(); ++v) {
-    const Vec3& p = start.input.fine.positions[v];
+    const Vec3& p = start.input().fine.positions[v];
     const auto distance = [&](RegionId r) {
       return (p - refined.refinement.sites.positions[r]).squaredNorm();
     };
@@ -233,10 +233,10 @@ bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
 
 void refine(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
-  const OuterSites old = place_outer_sites(start.input, start.outer, start.spacings.front());
-  const OuterSites finer = place_outer_sites(start.input, start.outer, start.spacings.front() / 2);
-  const auto on_chains = neighbours_on_chains(start.outer, old.label);
-  std::vector<VertexId> itself(start.input.fine.vertex_count());
+  const ChainSites old = place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
+  const ChainSites finer = place_chain_sites(start.input(), start.surface().chains, start.spacings.front() / 2);
+  const auto on_chains = neighbours_on_chains(start.surface().chains, old.label);
+  std::vector<VertexId> itself(start.input().fine.vertex_count());
   std::iota(itself.begin(), itself.end(), VertexId{0});
   const auto work = [&] {
     return refine_at_rest(start, finer, on_chains, itself, workers.executor);
@@ -259,10 +259,10 @@ Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::si
                         const MakeSurfaceEngine& make_engine, Executor& executor) {
   SurfaceRemeshOptions options;
   options.vertex_count = sites;
-  SiteRelaxer relaxer(make_engine, options, start.input.fine.whole_area,
-                      1 / start.input.frame.scale, executor);
+  SiteRelaxer relaxer(make_engine, options, start.input().fine.whole_area,
+                      1 / start.input().frame.scale, executor);
   DualisedSites dualised =
-      repair_dual(start.input, start.outer, std::move(resting), relaxer, executor);
+      repair_dual(start.surface(), std::move(resting), relaxer, executor);
   return {std::move(dualised), relaxer.fingerprint()};
 }
 
@@ -284,7 +284,7 @@ void repair(Run& run, const Workers& workers) {
            found.dualised.dual.triangles == expected.dualised.dual.triangles;
   });
   run.measure(prepare, work);
-  run.rate("vertices/s", start.input.fine.vertex_count());
+  run.rate("vertices/s", start.input().fine.vertex_count());
 }
 
 void remesh(Run& run, const Workers& workers) {

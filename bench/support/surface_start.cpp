@@ -34,6 +34,14 @@ double energy_of(const SurfaceInput& input, const LabelledSites& state,
 
 }  // namespace
 
+SurfaceInputOptions SurfaceFineness::options(std::span<const TriangleId> duplicates) const {
+  SurfaceInputOptions options;
+  options.duplicates = duplicates;
+  options.longest_edge = longest_edge;
+  options.vertex_limit = vertex_limit;
+  return options;
+}
+
 SurfaceFineness surface_fineness(const Mesh& mesh, const MeshEdges& edges, std::size_t sites) {
   const auto count = static_cast<double>(sites);
   SurfaceFineness fineness;
@@ -46,21 +54,21 @@ SurfaceFineness surface_fineness(const Mesh& mesh, const MeshEdges& edges, std::
 SurfaceStart make_surface_start(const Mesh& mesh, const MeshEdges& edges, std::size_t sites) {
   const SurfaceFineness fineness = surface_fineness(mesh, edges, sites);
   SurfaceStart start;
-  start.input =
-      make_surface_input(mesh, edges.duplicates, fineness.longest_edge, fineness.vertex_limit);
+  start.whole = std::make_unique<const SurfaceInput>(
+      make_surface_input(mesh, fineness.options(edges.duplicates)));
   const double spacing =
-      std::sqrt(2 * start.input.fine.whole_area / (std::sqrt(3.0) * static_cast<double>(sites)));
-  start.outer = find_outer_chains(start.input, spacing, true);
-  start.spacings = spacings_of_levels(SiteBudgeter(start.input, start.outer), sites);
+      std::sqrt(2 * start.input().fine.whole_area / (std::sqrt(3.0) * static_cast<double>(sites)));
+  start.divided = std::make_unique<const DividedSurface>(start.input(), spacing, true);
+  start.spacings = spacings_of_levels(SiteBudgeter(start.surface()), sites);
   SurfaceRemeshOptions options;
   options.vertex_count = sites;
   const MakeSurfaceEngine make_engine = make_reference_surface_engine;
-  SiteRelaxer relaxer(make_engine, options, start.input.fine.whole_area,
-                      1 / start.input.frame.scale, sequential());
-  start.resting = rest_sites(start.input, start.outer, sites, relaxer);
-  const LevelMesh level = fine_level(start.input, start.outer);
+  SiteRelaxer relaxer(make_engine, options, start.input().fine.whole_area,
+                      1 / start.input().frame.scale, sequential());
+  start.resting = rest_sites(start.surface(), sites, relaxer);
+  const LevelMesh level = fine_level(start.surface());
   relaxer.sweep(level, start.resting.state);
-  start.energy = energy_of(start.input, start.resting.state, relaxer.cells());
+  start.energy = energy_of(start.input(), start.resting.state, relaxer.cells());
   return start;
 }
 

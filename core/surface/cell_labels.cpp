@@ -22,21 +22,6 @@ struct Piece {
 
 }  // namespace
 
-std::vector<std::array<RegionId, 2>> adjacent_cells(const FineMesh& mesh,
-                                                    std::span<const RegionId> labels) {
-  std::vector<std::array<RegionId, 2>> pairs;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const RegionId a = labels[t[c]];
-      const RegionId b = labels[t[(c + 1) % 3]];
-      if (a != b && a != no_id && b != no_id) pairs.push_back(ascending(a, b));
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
 void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std::uint8_t> is_fixed,
                     std::vector<RegionId>& labels, Executor& executor) {
   DisjointSets sets(labels.size(), executor);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -8,11 +7,6 @@
 #include "core/surface/fine_mesh.h"
 
 namespace geolloyd {
-
-/// Pairs of sites whose cells meet along an edge of the mesh; ascending within, ascending, and each
-/// once.
-std::vector<std::array<RegionId, 2>> adjacent_cells(const FineMesh& mesh,
-                                                    std::span<const RegionId> labels);
 
 /// Leaves each site the largest of the connected pieces of its cell, by vertices; of equals, that
 /// with the smallest vertex; a piece with vertices that are fixed before others. The other vertices

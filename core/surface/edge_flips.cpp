@@ -25,8 +25,8 @@ struct SideOfEdge {
 
 class EdgeFlipper {
  public:
-  explicit EdgeFlipper(Mesh& mesh)
-      : mesh_(mesh), across_(mesh.triangles.size(), {no_id, no_id, no_id}) {
+  EdgeFlipper(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept)
+      : mesh_(mesh), kept_(kept), across_(mesh.triangles.size(), {no_id, no_id, no_id}) {
     connect();
   }
 
@@ -95,6 +95,7 @@ class EdgeFlipper {
   [[nodiscard]] bool is_better_flipped(Side side) const {
     if (!has_quad(side)) return false;
     const auto [a, b, c, d] = quad_of(side);
+    if (std::binary_search(kept_.begin(), kept_.end(), ascending(b, c))) return false;
     const double now = std::max(largest_cosine(a, b, c), largest_cosine(d, c, b));
     const double flipped = std::max(largest_cosine(a, b, d), largest_cosine(a, d, c));
     return flipped < now && is_flat(normal(a, b, c), normal(d, c, b)) &&
@@ -161,6 +162,7 @@ class EdgeFlipper {
   }
 
   Mesh& mesh_;
+  std::span<const std::array<VertexId, 2>> kept_;
   std::vector<std::array<TriangleId, 3>> across_;  // per triangle: beyond the edge opposite to each
                                                    // corner
   std::vector<Side> queue_;
@@ -168,8 +170,8 @@ class EdgeFlipper {
 
 }  // namespace
 
-std::size_t flip_edges(Mesh& mesh) {
-  return EdgeFlipper(mesh).run();
+std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept) {
+  return EdgeFlipper(mesh, kept).run();
 }
 
 }  // namespace geolloyd

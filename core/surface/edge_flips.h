@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 
 #include "geolloyd/mesh.h"
 
@@ -10,6 +12,7 @@ namespace geolloyd {
 /// triangles larger (Lawson 1977). Triangles that meet at more than 30 degrees, boundary edges, and
 /// edges whose flip would make one that is there already stay. So the topology stays, and creases.
 /// Returns how many it flipped.
-std::size_t flip_edges(Mesh& mesh);
+/// `kept` (each ascending; ascending) are not flipped either.
+std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept = {});
 
 }  // namespace geolloyd

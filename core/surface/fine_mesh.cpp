@@ -90,6 +90,19 @@ void find_neighbours(FineMesh& mesh, Executor& executor) {
 
 }  // namespace
 
+void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges) {
+  for (const auto& edge : edges) {
+    for (const TriangleId t : mesh.triangles_at(edge[0])) {
+      const Triangle& corners = mesh.triangles[t];
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (ascending(corners[(c + 1) % 3], corners[(c + 2) % 3]) == edge) {
+          mesh.across[t][c] = no_id;
+        }
+      }
+    }
+  }
+}
+
 void connect(FineMesh& mesh, Executor& executor) {
   mesh.whole_area = 0;
   for (const double area : mesh.area) mesh.whole_area += area;

@@ -24,7 +24,7 @@ struct FineMesh {
   std::vector<Triangle> triangles;
   std::vector<double> area;      ///< per triangle; 0 where it stands for no surface
   std::vector<Triangle> across;  ///< per corner: the vertex beyond the edge opposite to it, or
-                                 ///< no_id where the edge does not have two triangles
+                                 ///< no_id where the edge does not have two triangles, or is closed
   std::vector<std::uint32_t> first_neighbour;  ///< per vertex, and one more
   std::vector<VertexId> neighbour;             ///< of each vertex, ascending
   std::vector<std::uint32_t> first_triangle;   ///< per vertex, and one more
@@ -43,5 +43,9 @@ struct FineMesh {
 
 /// Positions, triangles and areas are there already; fills in what follows from them.
 void connect(FineMesh& mesh, Executor& executor = sequential());
+
+/// Closes edges (ascending within): the free sites beyond them have no share of the triangles
+/// before them.
+void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges);
 
 }  // namespace geolloyd

@@ -5,33 +5,39 @@
 #include <utility>
 
 #include "core/base/loops.h"
+#include "core/base/sorting.h"
 
 namespace geolloyd {
 namespace {
 
-// Vertices on the boundary are merged with others on it alone.
-std::vector<std::uint32_t> merging_groups(const LevelMesh& level) {
-  return {level.is_outer.begin(), level.is_outer.end()};
+// Per vertex of the fine mesh: its corner, or else its chain, from 1; or 0.
+std::vector<std::uint32_t> number_chains(const DividedSurface& surface) {
+  std::vector<std::uint32_t> number(surface.input.fine.vertex_count(), 0);
+  std::uint32_t next = 1;
+  for (const Chain& chain : surface.chains.chains) {
+    for (const VertexId v : chain.vertices) number[v] = next;
+    ++next;
+  }
+  for (const VertexId v : surface.chains.corners) number[v] = next++;
+  return number;
 }
 
 }  // namespace
 
-LevelMesh fine_level(const SurfaceInput& input, const OuterChains& outer) {
-  LevelMesh level{&input.fine, input.part, outer.vertices, {}};
-  level.is_outer.assign(input.fine.vertex_count(), 0);
-  for (const VertexId v : outer.vertices) level.is_outer[v] = 1;
+LevelMesh fine_level(const DividedSurface& surface) {
+  LevelMesh level{&surface.input.fine, surface.patches.of_vertex, surface.chains.vertices, {},
+                  number_chains(surface)};
+  level.is_on_chain.assign(level.chain.size(), 0);
+  for (const VertexId v : level.chain_vertices) level.is_on_chain[v] = 1;
   return level;
 }
 
-LevelMeshes::LevelMeshes(const SurfaceInput& input, const OuterChains& outer,
-                         std::span<const double> spacings, Executor& executor)
-    : area_(input.parts, 0) {
-  for (TriangleId t = 0; t < input.fine.triangle_count(); ++t) {
-    area_[input.part[input.fine.triangles[t][0]]] += input.fine.area[t];
-  }
+LevelMeshes::LevelMeshes(const DividedSurface& surface, std::span<const double> spacings,
+                         Executor& executor)
+    : surface_(surface) {
   levels_.reserve(spacings.size() + 1);
   coarse_.reserve(spacings.size());
-  levels_.push_back(fine_level(input, outer));
+  levels_.push_back(fine_level(surface));
   for (const double spacing : spacings) {
     add_coarser(spacing, executor);
     of_.push_back(levels_.size() - 1);
@@ -39,45 +45,66 @@ LevelMeshes::LevelMeshes(const SurfaceInput& input, const OuterChains& outer,
 }
 
 // Grid cells of a fifth of the spacing: the energy measured on such a mesh is right but for some
-// thousandths. A part so small that its least sites are closer together has smaller grid cells.
+// thousandths. A patch so small that its least sites are closer together has smaller grid cells.
 void LevelMeshes::add_coarser(double spacing, Executor& executor) {
   constexpr double cell_share = 0.2;
   constexpr double least_sites = 4;
   constexpr double worth_while = 0.6;  // as many vertices, at most
-  std::vector<std::uint8_t> level_of_part;
-  for (const double area : area_) {
-    const double distance = std::min(spacing, std::sqrt(area / least_sites));
+  std::vector<std::uint8_t> level_of_patch;
+  for (const Patch& patch : surface_.patches.patches) {
+    const double distance = std::min(spacing, std::sqrt(patch.area / least_sites));
     std::uint8_t level = 0;
     for (double cell = 2; cell > cell_share * distance && level < 21; cell /= 2) ++level;
-    level_of_part.push_back(level);
+    level_of_patch.push_back(level);
   }
   const LevelMesh& finer = levels_.back();
-  std::vector<std::uint8_t> grid_level(finer.part.size());
-  for (std::size_t v = 0; v < grid_level.size(); ++v) grid_level[v] = level_of_part[finer.part[v]];
-  const std::vector<std::uint32_t> groups = merging_groups(finer);
-  CoarseMesh coarse = coarsen(*finer.mesh, {groups, grid_level}, executor);
+  std::vector<std::uint8_t> grid_level(finer.patch.size());
+  for (std::size_t v = 0; v < grid_level.size(); ++v) {
+    grid_level[v] = level_of_patch[finer.patch[v]];
+  }
+  CoarseMesh coarse = coarsen(*finer.mesh, {finer.chain, grid_level}, executor);
   const auto before = static_cast<double>(finer.mesh->vertex_count());
   if (static_cast<double>(coarse.mesh.vertex_count()) > worth_while * before) return;
 
   LevelMesh level;
-  level.part.resize(coarse.mesh.vertex_count());
-  level.is_outer.resize(coarse.mesh.vertex_count());
+  level.patch.resize(coarse.mesh.vertex_count());
+  level.is_on_chain.resize(coarse.mesh.vertex_count());
+  level.chain.resize(coarse.mesh.vertex_count());
   for (std::size_t v = 0; v < coarse.vertex_of.size(); ++v) {
-    level.part[coarse.vertex_of[v]] = finer.part[v];
-    level.is_outer[coarse.vertex_of[v]] = finer.is_outer[v];
+    level.patch[coarse.vertex_of[v]] = finer.patch[v];
+    level.chain[coarse.vertex_of[v]] = finer.chain[v];
+    level.is_on_chain[coarse.vertex_of[v]] = finer.is_on_chain[v];
   }
-  for (const VertexId v : finer.outer_vertices) {
-    level.outer_vertices.push_back(coarse.vertex_of[v]);
+  for (const VertexId v : finer.chain_vertices) {
+    level.chain_vertices.push_back(coarse.vertex_of[v]);
   }
+  close_features(coarse);
   coarse_.push_back(std::move(coarse));
   level.mesh = &coarse_.back().mesh;
   levels_.push_back(std::move(level));
 }
 
+// What is left of them.
+void LevelMeshes::close_features(CoarseMesh& coarse) const {
+  std::vector<std::array<VertexId, 2>> edges = surface_.input.feature_edges;
+  if (edges.empty()) return;
+  for (auto& [a, b] : edges) {
+    for (const CoarseMesh& finer : coarse_) {
+      a = finer.vertex_of[a];
+      b = finer.vertex_of[b];
+    }
+    a = coarse.vertex_of[a];
+    b = coarse.vertex_of[b];
+    if (a > b) std::swap(a, b);
+  }
+  sort_and_deduplicate(edges);
+  close_edges(coarse.mesh, edges);
+}
+
 std::vector<VertexId> LevelMeshes::map(const LevelMesh& finer, const LevelMesh& coarser) const {
   const auto from = static_cast<std::size_t>(&finer - levels_.data());
   const auto to = static_cast<std::size_t>(&coarser - levels_.data());
-  std::vector<VertexId> stands_for(finer.part.size());
+  std::vector<VertexId> stands_for(finer.patch.size());
   for (std::size_t v = 0; v < stands_for.size(); ++v) stands_for[v] = static_cast<VertexId>(v);
   for (std::size_t level = from; level < to; ++level) {
     for (VertexId& v : stands_for) v = coarse_[level].vertex_of[v];

@@ -5,27 +5,27 @@
 #include <vector>
 
 #include "core/surface/coarse_mesh.h"
-#include "core/surface/outer_chains.h"
-#include "core/surface/surface_input.h"
+#include "core/surface/patches.h"
 
 namespace geolloyd {
 
 /// A mesh on which the sites of one level move: the fine mesh, or a coarser one.
 struct LevelMesh {
   const FineMesh* mesh = nullptr;
-  std::vector<std::uint32_t> part;       ///< per vertex
-  std::vector<VertexId> outer_vertices;  ///< those that stand for OuterChains::vertices
-  std::vector<std::uint8_t> is_outer;    ///< per vertex: stands for one of them
+  std::vector<PatchId> patch;               ///< per vertex
+  std::vector<VertexId> chain_vertices;     ///< those that stand for Chains::vertices
+  std::vector<std::uint8_t> is_on_chain;    ///< per vertex: stands for one of them
+  std::vector<std::uint32_t> chain;         ///< per vertex: its chain or corner, from 1; else 0
 };
 
 /// That of the last level.
-LevelMesh fine_level(const SurfaceInput& input, const OuterChains& outer);
+LevelMesh fine_level(const DividedSurface& surface);
 
 /// The fine mesh, and coarser ones for sites farther apart.
 class LevelMeshes {
  public:
   /// `spacings` ascend.
-  LevelMeshes(const SurfaceInput& input, const OuterChains& outer, std::span<const double> spacings,
+  LevelMeshes(const DividedSurface& surface, std::span<const double> spacings,
               Executor& executor = sequential());
 
   [[nodiscard]] const LevelMesh& fine() const { return levels_[0]; }
@@ -36,8 +36,9 @@ class LevelMeshes {
 
  private:
   void add_coarser(double spacing, Executor& executor);
+  void close_features(CoarseMesh& coarse) const;
 
-  std::vector<double> area_;        // per part
+  const DividedSurface& surface_;
   std::vector<LevelMesh> levels_;   // from fine to coarse
   std::vector<CoarseMesh> coarse_;  // of level i + 1, made of level i
   std::vector<std::size_t> of_;     // per spacing: its level

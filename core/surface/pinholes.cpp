@@ -8,21 +8,21 @@ namespace {
 
 class PinholeOpener {
  public:
-  PinholeOpener(const SurfaceInput& input, const SurfaceSites& sites,
+  PinholeOpener(const DividedSurface& surface, const SurfaceSites& sites,
                 const std::vector<Triangle>& triangles)
-      : input_(input),
+      : surface_(surface),
         sites_(sites),
         triangles_(triangles),
-        is_outer_(sites.size(), 0),
+        is_on_chain_(sites.size(), 0),
         is_taken_out_(triangles.size(), 0) {
-    std::fill_n(is_outer_.begin(), sites.outer, std::uint8_t{1});
+    std::fill_n(is_on_chain_.begin(), sites.on_chains, std::uint8_t{1});
   }
 
   bool open(const std::vector<VertexId>& loop) {
     const std::size_t t = nearest_triangle(loop.front());
     if (t == triangles_.size()) return false;
     is_taken_out_[t] = 1;
-    for (const RegionId r : triangles_[t]) is_outer_[r] = 1;
+    for (const RegionId r : triangles_[t]) is_on_chain_[r] = 1;
     return true;
   }
 
@@ -40,10 +40,10 @@ class PinholeOpener {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto& [a, b, c] = triangles_[t];
-      if (is_outer_[a] != 0 || is_outer_[b] != 0 || is_outer_[c] != 0) continue;
-      if (sites_.part[a] != input_.part[hole]) continue;
+      if (is_on_chain_[a] != 0 || is_on_chain_[b] != 0 || is_on_chain_[c] != 0) continue;
+      if (sites_.patch[a] != surface_.patches.of_vertex[hole]) continue;
       const std::vector<Vec3>& p = sites_.positions;
-      const Vec3 away = (p[a] + p[b] + p[c]) / 3 - input_.fine.positions[hole];
+      const Vec3 away = (p[a] + p[b] + p[c]) / 3 - surface_.input.fine.positions[hole];
       if (dot(away, away) < least) {
         least = dot(away, away);
         nearest = t;
@@ -52,19 +52,19 @@ class PinholeOpener {
     return nearest;
   }
 
-  const SurfaceInput& input_;
+  const DividedSurface& surface_;
   const SurfaceSites& sites_;
   const std::vector<Triangle>& triangles_;
-  std::vector<std::uint8_t> is_outer_;  // per site
+  std::vector<std::uint8_t> is_on_chain_;  // per site
   std::vector<std::uint8_t> is_taken_out_;
 };
 
 }  // namespace
 
-bool open_pinholes(const SurfaceInput& input, const OuterChains& outer, const SurfaceSites& sites,
+bool open_pinholes(const DividedSurface& surface, const SurfaceSites& sites,
                    std::vector<Triangle>& triangles) {
-  PinholeOpener opener(input, sites, triangles);
-  for (const std::vector<VertexId>& loop : outer.pinholes) {
+  PinholeOpener opener(surface, sites, triangles);
+  for (const std::vector<VertexId>& loop : surface.chains.pinholes) {
     if (!opener.open(loop)) return false;
   }
   triangles = opener.triangles_left();

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "core/surface/outer_chains.h"
+#include "core/surface/patches.h"
 #include "core/surface/surface_sites.h"
 
 namespace geolloyd {
 
 /// Takes a triangle out of a dual for each pinhole, which the dual has closed: the nearest one
-/// whose vertices are not on a boundary yet, in the same part of the surface; of equals, the first
+/// whose vertices are not on a chain or another hole, in the same patch; of equals, the first
 /// one. So the hole is as large as a triangle, and no triangle about it is thin. False where there
 /// are not triangles enough; then none is taken out.
-bool open_pinholes(const SurfaceInput& input, const OuterChains& outer, const SurfaceSites& sites,
+bool open_pinholes(const DividedSurface& surface, const SurfaceSites& sites,
                    std::vector<Triangle>& triangles);
 
 }  // namespace geolloyd

@@ -13,7 +13,7 @@ class Balance {
           std::span<const RegionId> labels)
       : level_(level),
         sites_(sites),
-        farthest_(farthest_vertices(*level.mesh, sites.positions, level.is_outer, labels)),
+        farthest_(farthest_vertices(*level.mesh, sites.positions, level.is_on_chain, labels)),
         energy_(sites.size(), 0),
         is_removed_(sites.size(), 0) {
     const MomentUnit unit(level.mesh->whole_area);
@@ -23,10 +23,12 @@ class Balance {
   }
 
   void run(std::span<const std::size_t> wanted_free) {
-    std::vector<std::vector<RegionId>> of_part(wanted_free.size());
-    for (RegionId r = 0; r < sites_.size(); ++r) of_part[sites_.part[r]].push_back(r);
-    for (std::size_t part = 0; part < of_part.size(); ++part) {
-      balance(of_part[part], wanted_free[part]);
+    std::vector<std::vector<RegionId>> of_patch(wanted_free.size());
+    for (RegionId r = 0; r < sites_.size(); ++r) {
+      if (patch_of(r) != no_id) of_patch[patch_of(r)].push_back(r);
+    }
+    for (std::size_t patch = 0; patch < of_patch.size(); ++patch) {
+      balance(of_patch[patch], wanted_free[patch]);
     }
   }
 
@@ -34,13 +36,19 @@ class Balance {
   [[nodiscard]] const std::vector<VertexId>& inserted_at() const { return inserted_at_; }
 
  private:
+  // Where a site may be inserted to relieve this one.
+  [[nodiscard]] PatchId patch_of(RegionId r) const {
+    if (r >= sites_.on_chains) return sites_.patch[r];
+    return has_vertex(r) ? level_.patch[farthest_[r].vertex] : no_id;
+  }
+
   void balance(std::vector<RegionId>& sites, std::size_t wanted) {
     std::sort(sites.begin(), sites.end(), [this](RegionId a, RegionId b) {
       return std::pair(energy_[a], a) < std::pair(energy_[b], b);
     });
     std::size_t count = 0;
     for (const RegionId r : sites) {
-      if (r < sites_.outer) continue;
+      if (r < sites_.on_chains) continue;
       if (has_vertex(r)) {
         ++count;
       } else {
@@ -92,7 +100,7 @@ void balance_sites(const LevelMesh& level, std::span<const std::size_t> wanted_f
   remove_sites(balance.is_removed(), sites, labels);
   for (const VertexId v : balance.inserted_at()) {
     labels[v] = static_cast<RegionId>(sites.size());
-    sites.add(level.mesh->positions[v], level.part[v]);
+    sites.add(level.mesh->positions[v], level.patch[v]);
   }
 }
 
@@ -103,12 +111,12 @@ void remove_sites(std::span<const std::uint8_t> is_removed, SurfaceSites& sites,
     return;
   }
   SurfaceSites kept;
-  kept.outer = sites.outer;
+  kept.on_chains = sites.on_chains;
   std::vector<RegionId> number(sites.size(), no_id);
   for (RegionId r = 0; r < sites.size(); ++r) {
     if (is_removed[r] != 0) continue;
     number[r] = static_cast<RegionId>(kept.size());
-    kept.add(sites.positions[r], sites.part[r]);
+    kept.add(sites.positions[r], sites.patch[r]);
     kept.stays.back() = sites.stays[r];
   }
   for (RegionId& label : labels) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/random.h"
-#include "core/surface/cell_labels.h"
 #include "core/surface/level_mesh.h"
 #include "core/surface/site_balance.h"
 #include "core/surface/site_refinement.h"
@@ -17,7 +16,7 @@ namespace {
 // costs little, come to rest best.
 std::size_t iterations_on(const LevelMesh& level) {
   constexpr std::size_t vertex_visits = 5'000'000;
-  return std::clamp(vertex_visits / level.part.size(), std::size_t{35}, std::size_t{200});
+  return std::clamp(vertex_visits / level.patch.size(), std::size_t{35}, std::size_t{200});
 }
 
 // The whole course goes on from the few sites of the first levels, which may have come to rest in a
@@ -48,20 +47,19 @@ std::vector<double> spacings_of(const std::vector<SiteBudget>& levels) {
 
 class LevelByLevel {
  public:
-  LevelByLevel(const SurfaceInput& input, const OuterChains& outer, std::vector<SiteBudget> levels,
-               SiteRelaxer& relaxer, Executor& executor)
-      : input_(input),
-        outer_(outer),
+  LevelByLevel(const DividedSurface& surface, std::vector<SiteBudget> levels, SiteRelaxer& relaxer,
+               Executor& executor)
+      : surface_(surface),
         levels_(std::move(levels)),
-        meshes_(input, outer, spacings_of(levels_), executor),
+        meshes_(surface, spacings_of(levels_), executor),
         relaxer_(relaxer),
         executor_(executor) {}
 
   RestingSites run() {
     const std::size_t first = levels_.size() - 1;
     on_ = &meshes_.at(first);
-    outer_sites_ = place_outer_sites(input_, outer_, levels_[first].spacing);
-    start_sites(*on_, levels_[first].free, outer_sites_, state_.sites, state_.labels);
+    chain_sites_ = place_chain_sites(surface_.input, surface_.chains, levels_[first].spacing);
+    start_sites(*on_, levels_[first].free, chain_sites_, state_.sites, state_.labels);
     settle(first);
     for (std::size_t level = first; level-- > 0;) {
       refine(level);
@@ -113,16 +111,16 @@ class LevelByLevel {
   }
 
   void refine(std::size_t level) {
-    const auto adjacent = adjacent_cells(*on_->mesh, state_.labels);
-    const auto on_chains = neighbours_on_chains(outer_, outer_sites_.label);
+    const auto adjacent = adjacent_cells(*on_, state_.labels);
+    const auto on_chains = neighbours_on_chains(surface_.chains, chain_sites_.label);
     const LevelMesh& next = meshes_.at(level);
-    outer_sites_ = place_outer_sites(input_, outer_, levels_[level].spacing);
-    Refinement refinement = refine_sites(state_.sites, adjacent, on_chains, outer_sites_);
+    chain_sites_ = place_chain_sites(surface_.input, surface_.chains, levels_[level].spacing);
+    Refinement refinement = refine_sites(state_.sites, adjacent, on_chains, chain_sites_);
     state_.labels =
-        inherit_labels(*next.mesh, refinement, state_.labels, meshes_.map(next, *on_), executor_);
+        inherit_labels(next, refinement, state_.labels, meshes_.map(next, *on_), executor_);
     state_.sites = std::move(refinement.sites);
     on_ = &next;
-    label_outer_vertices(*on_, outer_sites_, state_.labels);
+    label_chain_vertices(*on_, chain_sites_, state_.labels);
   }
 
   // The same sites.
@@ -132,26 +130,25 @@ class LevelByLevel {
     for (std::size_t v = 0; v < labels.size(); ++v) labels[v] = state_.labels[stands_for[v]];
     state_.labels = std::move(labels);
     on_ = &next;
-    label_outer_vertices(*on_, outer_sites_, state_.labels);
+    label_chain_vertices(*on_, chain_sites_, state_.labels);
   }
 
-  const SurfaceInput& input_;
-  const OuterChains& outer_;
+  const DividedSurface& surface_;
   std::vector<SiteBudget> levels_;
   LevelMeshes meshes_;
   SiteRelaxer& relaxer_;
   Executor& executor_;
   const LevelMesh* on_ = nullptr;
   LabelledSites state_;
-  OuterSites outer_sites_;
+  ChainSites chain_sites_;
 };
 
 }  // namespace
 
-RestingSites rest_sites(const SurfaceInput& input, const OuterChains& outer, std::size_t count,
-                        SiteRelaxer& relaxer, Executor& executor) {
-  const SiteBudgeter budgeter(input, outer);
-  return LevelByLevel(input, outer, plan_levels(budgeter, count), relaxer, executor).run();
+RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer,
+                        Executor& executor) {
+  const SiteBudgeter budgeter(surface);
+  return LevelByLevel(surface, plan_levels(budgeter, count), relaxer, executor).run();
 }
 
 }  // namespace geolloyd

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/base/executor.h"
-#include "core/surface/outer_chains.h"
+#include "core/surface/patches.h"
 #include "core/surface/site_budget.h"
 #include "core/surface/site_relaxer.h"
-#include "core/surface/surface_input.h"
 
 namespace geolloyd {
 
@@ -17,8 +16,7 @@ struct RestingSites {
 /// Moves sites from coarse to fine. The first level has some hundred sites. Each next one has about
 /// four times as many: the old ones and the middles between neighbours, which makes nearly all of
 /// them regular. The sites of a level move downhill on a mesh that is just fine enough for them.
-/// There are `count`, or the least that the parts of the surface need.
-RestingSites rest_sites(const SurfaceInput& input, const OuterChains& outer, std::size_t count,
-                        SiteRelaxer& relaxer, Executor& executor = sequential());
+/// There are `count`, or the least that the patches of the surface need.
+RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer, Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -87,6 +87,19 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
   return places;
 }
 
+void place_corners(const Mesh& mesh, const SurfaceInput& input,
+                   std::span<const VertexId> corners, std::vector<SurfacePoint>& places) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TriangleId origin = input.origin[input.fine.triangles_at(corners[i])[0]];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3& corner = mesh.positions[mesh.triangles[origin][c]];
+      if (input.frame.to_unit(corner) != input.fine.positions[corners[i]]) continue;
+      places[i] = {origin, {0, 0, 0}};
+      places[i].weights[c] = 1;
+    }
+  }
+}
+
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
   const auto& [a, b, c] = mesh.triangles[point.triangle];
   return point.weights[0] * mesh.positions[a] + point.weights[1] * mesh.positions[b] +

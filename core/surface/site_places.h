@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/surface/surface_input.h"
@@ -14,6 +15,11 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
                                       const std::vector<Vec3>& sites,
                                       const std::vector<RegionId>& labels,
                                       Executor& executor = sequential());
+
+/// Puts the first places, which are those of corners (vertices of `input.fine`), exactly on the
+/// mesh's vertices, where corners are such.
+void place_corners(const Mesh& mesh, const SurfaceInput& input,
+                   std::span<const VertexId> corners, std::vector<SurfacePoint>& places);
 
 /// Where that is, mesh units.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);

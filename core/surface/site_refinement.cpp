@@ -4,11 +4,12 @@
 #include <limits>
 
 #include "core/base/loops.h"
+#include "core/base/sorting.h"
 
 namespace geolloyd {
 namespace {
 
-// Free vertices of one part, ascending, and the area up to each.
+// Free vertices of one patch, ascending, and the area up to each.
 struct VertexAreas {
   std::vector<VertexId> vertices;
   std::vector<double> up_to = {0};
@@ -31,57 +32,74 @@ struct VertexAreas {
 }  // namespace
 
 void start_sites(const LevelMesh& level, std::span<const std::size_t> wanted_free,
-                 const OuterSites& outer, SurfaceSites& sites, std::vector<RegionId>& labels) {
-  labels.assign(level.part.size(), no_id);
-  sites = SurfaceSites(outer.sites, outer.part);
-  std::vector<VertexAreas> parts(wanted_free.size());
-  for (VertexId v = 0; v < level.part.size(); ++v) {
-    if (level.is_outer[v] == 0) parts[level.part[v]].add(*level.mesh, v);
+                 const ChainSites& at_chains, SurfaceSites& sites, std::vector<RegionId>& labels) {
+  labels.assign(level.patch.size(), no_id);
+  sites = SurfaceSites(at_chains.sites);
+  std::vector<VertexAreas> patches(wanted_free.size());
+  for (VertexId v = 0; v < level.patch.size(); ++v) {
+    if (level.is_on_chain[v] == 0) patches[level.patch[v]].add(*level.mesh, v);
   }
-  for (std::uint32_t part = 0; part < parts.size(); ++part) {
-    const std::size_t count = std::min(wanted_free[part], parts[part].vertices.size());
+  for (PatchId p = 0; p < patches.size(); ++p) {
+    const std::size_t count = std::min(wanted_free[p], patches[p].vertices.size());
     std::size_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      const std::size_t last = parts[part].vertices.size() - (count - i);
-      next = std::clamp(parts[part].at(share), next, last);
-      const VertexId v = parts[part].vertices[next++];
+      const std::size_t last = patches[p].vertices.size() - (count - i);
+      next = std::clamp(patches[p].at(share), next, last);
+      const VertexId v = patches[p].vertices[next++];
       labels[v] = static_cast<RegionId>(sites.size());
-      sites.add(level.mesh->positions[v], part);
+      sites.add(level.mesh->positions[v], p);
     }
   }
-  label_outer_vertices(level, outer, labels);
+  label_chain_vertices(level, at_chains, labels);
 }
 
-Refinement refine_sites(const SurfaceSites& old, std::span<const std::array<RegionId, 2>> adjacent,
-                        std::span<const std::array<RegionId, 2>> on_chains,
-                        const OuterSites& outer) {
-  Refinement result{SurfaceSites(outer.sites, outer.part), {}};
-  result.heirs.resize(old.size());
-  for (std::size_t r = old.outer; r < old.size(); ++r) {
-    result.heirs[r].push_back(static_cast<RegionId>(result.sites.size()));
-    result.sites.add(old.positions[r], old.part[r]);
+std::vector<Adjacency> adjacent_cells(const LevelMesh& level, std::span<const RegionId> labels) {
+  std::vector<Adjacency> found;
+  for (const Triangle& t : level.mesh->triangles) {
+    const auto free =
+        std::find_if(t.begin(), t.end(), [&](VertexId v) { return level.is_on_chain[v] == 0; });
+    const PatchId patch = level.patch[free != t.end() ? *free : t[0]];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RegionId a = labels[t[c]];
+      const RegionId b = labels[t[(c + 1) % 3]];
+      if (a != b && a != no_id && b != no_id) found.push_back({ascending(a, b), patch});
+    }
   }
-  for (const auto& pair : adjacent) {
+  sort_and_deduplicate(found);
+  return found;
+}
+
+Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adjacent,
+                        std::span<const std::array<RegionId, 2>> on_chains,
+                        const ChainSites& at_chains) {
+  Refinement result{SurfaceSites(at_chains.sites), {}};
+  result.heirs.resize(old.size());
+  for (std::size_t r = old.on_chains; r < old.size(); ++r) {
+    result.heirs[r].push_back(static_cast<RegionId>(result.sites.size()));
+    result.sites.add(old.positions[r], old.patch[r]);
+  }
+  for (const auto& [pair, patch] : adjacent) {
     if (std::binary_search(on_chains.begin(), on_chains.end(), pair)) continue;
     for (const RegionId r : pair) {
       result.heirs[r].push_back(static_cast<RegionId>(result.sites.size()));
     }
-    result.sites.add((old.positions[pair[0]] + old.positions[pair[1]]) / 2, old.part[pair[0]]);
+    result.sites.add((old.positions[pair[0]] + old.positions[pair[1]]) / 2, patch);
   }
   return result;
 }
 
-std::vector<RegionId> inherit_labels(const FineMesh& mesh, const Refinement& refinement,
+std::vector<RegionId> inherit_labels(const LevelMesh& level, const Refinement& refinement,
                                      std::span<const RegionId> old_label,
                                      std::span<const VertexId> stands_for, Executor& executor) {
-  std::vector<RegionId> labels(mesh.vertex_count(), no_id);
+  std::vector<RegionId> labels(level.patch.size(), no_id);
   parallel_for(executor, labels.size(), small_items, [&](std::size_t v) {
     const RegionId old = old_label[stands_for[v]];
     if (old == no_id) return;
     double least = std::numeric_limits<double>::infinity();
     for (const RegionId r : refinement.heirs[old]) {
-      const Vec3 away = mesh.positions[v] - refinement.sites.positions[r];
+      if (refinement.sites.patch[r] != level.patch[v]) continue;
+      const Vec3 away = level.mesh->positions[v] - refinement.sites.positions[r];
       if (dot(away, away) < least) {
         least = dot(away, away);
         labels[v] = r;
@@ -91,10 +109,10 @@ std::vector<RegionId> inherit_labels(const FineMesh& mesh, const Refinement& ref
   return labels;
 }
 
-void label_outer_vertices(const LevelMesh& level, const OuterSites& outer,
+void label_chain_vertices(const LevelMesh& level, const ChainSites& at_chains,
                           std::vector<RegionId>& labels) {
-  for (std::size_t i = 0; i < level.outer_vertices.size(); ++i) {
-    labels[level.outer_vertices[i]] = outer.label[i];
+  for (std::size_t i = 0; i < level.chain_vertices.size(); ++i) {
+    labels[level.chain_vertices[i]] = at_chains.label[i];
   }
 }
 

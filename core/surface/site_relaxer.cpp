@@ -28,15 +28,15 @@ SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
 
 void SiteRelaxer::sweep(const LevelMesh& level, LabelledSites& state) {
   SurfaceEngine& engine = engine_for(level);
-  keep_one_piece(*level.mesh, state.sites.size(), level.is_outer, state.labels, executor_);
-  engine.assign(state.labels, level.is_outer);
+  keep_one_piece(*level.mesh, state.sites.size(), level.is_on_chain, state.labels, executor_);
+  engine.assign(state.labels, level.is_on_chain);
   engine.evaluate(state.sites.positions);
   state.labels = engine.labels();
 }
 
 double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations) {
   SurfaceEngine& engine = engine_for(level);
-  engine.assign(state.labels, level.is_outer);
+  engine.assign(state.labels, level.is_on_chain);
   const std::size_t count = state.sites.size();
   if (steps_.empty()) watch_ = Stopwatch();
   std::size_t iteration = 0;

@@ -5,6 +5,7 @@
 
 #include "core/base/bucketing.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/sorting.h"
 #include "core/graph/spatial_order.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/surface/split_edges.h"
@@ -171,15 +172,17 @@ std::size_t cut_apart(Mesh& mesh, Executor& executor) {
 
 class SurfaceInputBuilder {
  public:
-  SurfaceInputBuilder(UsableTriangles usable, Executor& executor)
-      : usable_(std::move(usable)), executor_(executor) {}
+  SurfaceInputBuilder(UsableTriangles usable, const SurfaceInputOptions& options,
+                      Executor& executor)
+      : usable_(std::move(usable)), options_(options), executor_(executor) {}
 
   SurfaceInput run() {
     result_.frame = frame_of(usable_.mesh, executor_);
     sort_vertices();
     sort_triangles();
     connect(result_.fine, executor_);
-    find_outer_edges();
+    find_boundary_edges();
+    find_feature_edges();
     find_parts();
     return std::move(result_);
   }
@@ -206,6 +209,10 @@ class SurfaceInputBuilder {
       place[order[i]] = static_cast<VertexId>(i);
       result_.fine.positions[i] = mesh.positions[order[i]];
     });
+    for (const VertexId v : options_.fixed_vertices) {
+      if (place[v] != no_id) result_.fixed_vertices.push_back(place[v]);
+    }
+    sort_and_deduplicate(result_.fixed_vertices);
     parallel_for(executor_, mesh.triangle_count(), small_items, [&](std::size_t t) {
       for (VertexId& v : mesh.triangles[t]) v = place[v];
     });
@@ -232,16 +239,56 @@ class SurfaceInputBuilder {
     usable_ = {};
   }
 
-  void find_outer_edges() {
+  void find_boundary_edges() {
     const FineMesh& fine = result_.fine;
     for (TriangleId t = 0; t < fine.triangle_count(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
         if (fine.across[t][c] != no_id) continue;
-        result_.outer_edges.push_back(
+        result_.boundary_edges.push_back(
             ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]));
       }
     }
-    std::sort(result_.outer_edges.begin(), result_.outer_edges.end());
+    std::sort(result_.boundary_edges.begin(), result_.boundary_edges.end());
+  }
+
+  // Splitting an edge leaves its halves between pieces of the same two triangles.
+  void find_feature_edges() {
+    if (options_.features.empty()) return;
+    const FineMesh& fine = result_.fine;
+    std::vector<std::vector<std::array<VertexId, 2>>> found(executor_.threads());
+    parallel_for_ranges(
+        executor_, fine.triangle_count(), small_items,
+        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+          for (auto t = static_cast<TriangleId>(begin); t < end; ++t) {
+            for (std::size_t c = 0; c < 3; ++c) {
+              if (is_feature(t, c)) {
+                found[worker].push_back(
+                    ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]));
+              }
+            }
+          }
+        });
+    for (const auto& edges : found) {
+      result_.feature_edges.insert(result_.feature_edges.end(), edges.begin(), edges.end());
+    }
+    sort_and_deduplicate(result_.feature_edges);
+    close_edges(result_.fine, result_.feature_edges);
+  }
+  [[nodiscard]] bool is_feature(TriangleId t, std::size_t c) const {
+    const FineMesh& fine = result_.fine;
+    const VertexId beyond = fine.across[t][c];
+    if (beyond == no_id) return false;
+    const auto edge = ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]);
+    const auto at = fine.triangles_at(beyond);
+    return std::any_of(at.begin(), at.end(), [&](TriangleId u) {
+      const TrianglePair pair = ascending(result_.origin[t], result_.origin[u]);
+      return u != t && has_edge(fine.triangles[u], edge) &&
+             std::binary_search(options_.features.begin(), options_.features.end(), pair);
+    });
+  }
+  static bool has_edge(const Triangle& t, const std::array<VertexId, 2>& edge) {
+    return ascending(t[0], t[1]) == edge || ascending(t[1], t[2]) == edge ||
+           ascending(t[2], t[0]) == edge;
   }
 
   void find_parts() {
@@ -261,18 +308,28 @@ class SurfaceInputBuilder {
   }
 
   UsableTriangles usable_;
+  const SurfaceInputOptions& options_;
   Executor& executor_;
   SurfaceInput result_;
 };
 
 }  // namespace
 
-SurfaceInput make_surface_input(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                double longest_edge, std::size_t vertex_limit, Executor& executor) {
-  UsableTriangles usable = usable_triangles(mesh, duplicates);
+std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input) {
+  std::vector<std::int64_t> doubled(input.parts, 0);  // inner edges count half for each triangle
+  for (const std::uint32_t part : input.part) doubled[part] += 2;
+  for (const Triangle& t : input.fine.triangles) doubled[input.part[t[0]]] += 2 - 3;
+  for (const auto& ends : input.boundary_edges) --doubled[input.part[ends[0]]];
+  for (std::int64_t& x : doubled) x /= 2;
+  return doubled;
+}
+
+SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
+                                Executor& executor) {
+  UsableTriangles usable = usable_triangles(mesh, options.duplicates);
   const std::size_t vertices_cut = cut_apart(usable.mesh, executor);
-  split_long_edges(usable.mesh, usable.origin, longest_edge, vertex_limit);
-  SurfaceInput input = SurfaceInputBuilder(std::move(usable), executor).run();
+  split_long_edges(usable.mesh, usable.origin, options.longest_edge, options.vertex_limit);
+  SurfaceInput input = SurfaceInputBuilder(std::move(usable), options, executor).run();
   input.vertices_cut = vertices_cut;
   return input;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
+#include "core/surface/creases.h"
 #include "core/surface/fine_mesh.h"
 
 namespace geolloyd {
@@ -25,15 +27,27 @@ struct SurfaceFrame {
 struct SurfaceInput {
   SurfaceFrame frame;
   FineMesh fine;
-  std::vector<TriangleId> origin;                    ///< per triangle of `fine`: the mesh's
-  std::vector<std::array<VertexId, 2>> outer_edges;  ///< of `fine`, with one triangle; ascending
+  std::vector<TriangleId> origin;                       ///< per triangle of `fine`: the mesh's
+  std::vector<std::array<VertexId, 2>> boundary_edges;  ///< of `fine`, with one triangle; ascending
+  std::vector<std::array<VertexId, 2>> feature_edges;   ///< of `fine`, with two; ascending
+  std::vector<VertexId> fixed_vertices;                 ///< of `fine`; ascending, each once
   std::vector<std::uint32_t> part;  ///< per vertex of `fine`: its connected part, by first vertex
   std::size_t parts = 0;
   std::size_t vertices_cut = 0;  ///< of the mesh: became several
 };
 
-SurfaceInput make_surface_input(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                double longest_edge, std::size_t vertex_limit,
+struct SurfaceInputOptions {
+  std::span<const TriangleId> duplicates;  ///< of the mesh: left out
+  double longest_edge = 0;                 ///< mesh units; 0: none is split
+  std::size_t vertex_limit = 0;            ///< no edge is split from there on
+  std::span<const TrianglePair> features;
+  std::span<const VertexId> fixed_vertices;  ///< of the mesh; those of no triangle are passed over
+};
+
+/// Per part.
+std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input);
+
+SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor = sequential());
 
 }  // namespace geolloyd

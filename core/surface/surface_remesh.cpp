@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/base/random.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/surface/creases.h"
 #include "core/surface/edge_flips.h"
-#include "core/surface/outer_chains.h"
+#include "core/surface/patches.h"
 #include "core/surface/pinholes.h"
 #include "core/surface/site_budget.h"
 #include "core/surface/site_levels.h"
@@ -23,15 +25,35 @@
 namespace geolloyd {
 namespace {
 
-std::vector<PartTopology> parts_of(const SurfaceInput& input, const OuterChains& outer) {
+std::vector<PartTopology> parts_of(const SurfaceInput& input, const Chains& chains) {
   std::vector<PartTopology> parts;
-  for (const SurfacePart& part : find_surface_parts(input, outer)) {
-    parts.push_back({part.euler_characteristic, 0});
+  for (const std::int64_t characteristic : euler_characteristics(input)) {
+    parts.push_back({characteristic, 0});
   }
-  for (const VertexId v : outer.loops) ++parts[input.part[v]].boundary_loops;
-  for (const auto& loop : outer.pinholes) --parts[input.part[loop.front()]].euler_characteristic;
+  for (const VertexId v : chains.loops) ++parts[input.part[v]].boundary_loops;
   std::sort(parts.begin(), parts.end());
   return parts;
+}
+
+// At which so many sites cover an area.
+double spacing_of(double area, std::size_t sites) {
+  constexpr double root_3 = 1.7320508075688772;
+  return std::sqrt(2 * area / (root_3 * static_cast<double>(sites)));
+}
+
+// Of edges on chains: those that are no boundary of the remesh.
+std::vector<std::array<VertexId, 2>> edges_along_features(
+    const Mesh& remesh, const std::vector<std::array<VertexId, 2>>& on_chains) {
+  const MeshEdges edges = find_edges(remesh);
+  std::vector<std::array<VertexId, 2>> found;
+  for (const auto& edge : on_chains) {
+    const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), edge);
+    if (at == edges.ends.end() || *at != edge) continue;
+    if (edges.corners(static_cast<std::size_t>(at - edges.ends.begin())).size() == 2) {
+      found.push_back(edge);
+    }
+  }
+  return found;
 }
 
 class SurfaceRemesher {
@@ -46,41 +68,47 @@ class SurfaceRemesher {
 
   // Where there is no room for all pinholes among triangles of an ordinary size, they get vertices.
   SurfaceRemesh run() {
+    const double spacing = spacing_of(input_.fine.whole_area, options_.vertex_count);
     for (const bool may_have_pinholes : {true, false}) {
-      const auto count = static_cast<double>(options_.vertex_count);
-      const double spacing = std::sqrt(2 * input_.fine.whole_area / (root_3 * count));
-      outer_ = find_outer_chains(input_, spacing, may_have_pinholes);
-      RestingSites resting = rest_sites(input_, outer_, options_.vertex_count, relaxer_, executor_);
-      dualised_ = repair_dual(input_, outer_, std::move(resting), relaxer_, executor_);
-      if (open_pinholes(input_, outer_, dualised_.state.sites, dualised_.dual.triangles)) break;
+      surface_.emplace(input_, spacing, may_have_pinholes, executor_);
+      RestingSites resting = rest_sites(*surface_, options_.vertex_count, relaxer_, executor_);
+      dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
+      if (open_pinholes(*surface_, dualised_.state.sites, dualised_.dual.triangles)) break;
     }
     return remesh();
   }
 
  private:
-  static constexpr double root_3 = 1.7320508075688772;
-
   SurfaceRemesh remesh() {
     const SurfaceSites& sites = dualised_.state.sites;
     SurfaceRemesh result;
     result.vertices_asked_for = options_.vertex_count;
-    result.boundary_sites = sites.outer;
-    result.pinholes = outer_.pinholes.size();
+    result.chain_vertices = sites.on_chains;
+    result.pinholes = surface_->chains.pinholes.size();
     result.interrupted = relaxer_.is_interrupted();
     result.steps = relaxer_.steps();
     result.places = place_sites(mesh_, input_, sites.positions, dualised_.state.labels, executor_);
+    place_corners(mesh_, input_, surface_->chains.corners, result.places);
     for (const SurfacePoint& place : result.places) {
       result.mesh.positions.push_back(position_of(mesh_, place));
     }
     result.mesh.triangles = std::move(dualised_.dual.triangles);
     result.topology = find_topology(result.mesh, find_edges(result.mesh));
-    if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh);
-    result.surface_parts = parts_of(input_, outer_);
+    const auto on_chains = edges_on_chains();
+    if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_chains);
+    result.feature_edges = edges_along_features(result.mesh, on_chains);
+    result.surface_parts = parts_of(input_, surface_->chains);
     result.vertices_cut = input_.vertices_cut;
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     measure_energy(result);
     return result;
+  }
+
+  [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_chains() const {
+    std::vector<RegionId> label;
+    for (const VertexId v : surface_->chains.vertices) label.push_back(dualised_.state.labels[v]);
+    return neighbours_on_chains(surface_->chains, label);
   }
 
   void measure_energy(SurfaceRemesh& result) const {
@@ -112,20 +140,29 @@ class SurfaceRemesher {
   const SurfaceRemeshOptions& options_;
   SiteRelaxer relaxer_;
   Executor& executor_;
-  OuterChains outer_;
+  std::optional<DividedSurface> surface_;
   DualisedSites dualised_;
 };
 
-// Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area. The
-// limit of vertices is for needles.
-SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges, std::size_t vertex_count,
-                             Executor& executor) {
+// Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
+// features a third of a spacing, so that cells follow them. The limit of vertices is for needles.
+SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
+                             const SurfaceRemeshOptions& options, Executor& executor) {
   double area = 0;
   for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area += a;
   if (!(area > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
-  const auto count = static_cast<double>(vertex_count);
-  const std::size_t limit = 1'000'000 + 20 * vertex_count + 4 * mesh.vertex_count();
-  return make_surface_input(mesh, edges.duplicates, 0.6 * std::sqrt(area / count), limit, executor);
+  const double spacing = spacing_of(area, options.vertex_count);
+  const std::vector<TrianglePair> features =
+      find_features(mesh, edges, options.features, spacing, executor);
+  SurfaceInputOptions input;
+  input.duplicates = edges.duplicates;
+  input.longest_edge = features.empty()
+                           ? 0.6 * std::sqrt(area / static_cast<double>(options.vertex_count))
+                           : 0.35 * spacing;
+  input.vertex_limit = 1'000'000 + 20 * options.vertex_count + 4 * mesh.vertex_count();
+  input.features = features;
+  input.fixed_vertices = options.features.fixed_vertices;
+  return make_surface_input(mesh, input, executor);
 }
 
 }  // namespace
@@ -145,7 +182,7 @@ SurfaceRemesh make_surface_remesh(const Mesh& mesh, const MeshEdges& edges,
     throw InvalidInput("vertex_count: " + std::to_string(options.vertex_count) +
                        ": a remesh has at least 4 vertices");
   }
-  const SurfaceInput input = make_fine_input(mesh, edges, options.vertex_count, executor);
+  const SurfaceInput input = make_fine_input(mesh, edges, options, executor);
   return SurfaceRemesher(mesh, input, options, make_engine, executor).run();
 }
 

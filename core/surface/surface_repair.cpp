@@ -17,13 +17,13 @@ enum class Inserted { may_move, stays };
 
 class SurfaceRepair {
  public:
-  SurfaceRepair(const SurfaceInput& input, const OuterChains& outer, RestingSites resting,
+  SurfaceRepair(const DividedSurface& surface, RestingSites resting,
                 SiteRelaxer& relaxer, Executor& executor)
-      : input_(input),
-        outer_(outer),
+      : input_(surface.input),
+        chains_(surface.chains),
         budget_(std::move(resting.budget)),
         wanted_(budget_.total()),
-        level_(fine_level(input, outer)),
+        level_(fine_level(surface)),
         relaxer_(relaxer),
         executor_(executor) {
     result_.state = std::move(resting.state);
@@ -68,13 +68,13 @@ class SurfaceRepair {
 
   void tidy() {
     LabelledSites& state = result_.state;
-    keep_one_piece(*level_.mesh, state.sites.size(), level_.is_outer, state.labels, executor_);
+    keep_one_piece(*level_.mesh, state.sites.size(), level_.is_on_chain, state.labels, executor_);
     fill_gaps(*level_.mesh, state.sites.positions, state.labels);
-    // A part that its last site has left gets one again.
+    // A patch that its last site has left gets one again.
     for (VertexId v = 0; v < state.labels.size(); ++v) {
       if (state.labels[v] != no_id) continue;
       state.labels[v] = static_cast<RegionId>(state.sites.size());
-      state.sites.add(level_.mesh->positions[v], level_.part[v]);
+      state.sites.add(level_.mesh->positions[v], level_.patch[v]);
       result_.cells.emplace_back();
       fill_gaps(*level_.mesh, state.sites.positions, state.labels);
     }
@@ -113,7 +113,7 @@ class SurfaceRepair {
       surface.distance[v] = norm(input_.fine.positions[v] - state.sites.positions[state.labels[v]]);
     });
     std::vector<std::uint8_t> is_at_pinhole(surface.vertex_count, 0);
-    for (const std::vector<VertexId>& loop : outer_.pinholes) {
+    for (const std::vector<VertexId>& loop : chains_.pinholes) {
       for (const VertexId v : loop) is_at_pinhole[v] = 1;
       const bool runs_along = has_directed_edge(loop[0], loop[1]);
       for (std::size_t i = 2; i < loop.size(); ++i) {
@@ -122,7 +122,7 @@ class SurfaceRepair {
         surface.triangles.push_back(cap);
       }
     }
-    for (const auto& ends : input_.outer_edges) {
+    for (const auto& ends : input_.boundary_edges) {
       if (is_at_pinhole[ends[0]] == 0) surface.irregular_edges.push_back({ends, 1});
     }
     return surface;
@@ -147,11 +147,11 @@ class SurfaceRepair {
     if (how == Inserted::may_move) make_room(places.size());
     const std::size_t before = sites.size();
     for (const VertexId v : places) {
-      if (level_.is_outer[v] != 0) {
-        insert_outer(v);
+      if (level_.is_on_chain[v] != 0) {
+        insert_on_chain(v);
       } else {
         result_.state.labels[v] = static_cast<RegionId>(sites.size());
-        sites.add(input_.fine.positions[v], input_.part[v]);
+        sites.add(input_.fine.positions[v], level_.patch[v]);
         sites.stays.back() = how == Inserted::stays ? 1 : 0;
       }
     }
@@ -197,7 +197,7 @@ class SurfaceRepair {
   // back.
   void try_without_holding() {
     std::vector<std::uint8_t>& stays = result_.state.sites.stays;
-    const auto first_free = stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.outer);
+    const auto first_free = stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.on_chains);
     if (std::count(first_free, stays.end(), 1) == 0) return;
     const DualisedSites before = result_;
     std::fill(first_free, stays.end(), std::uint8_t{0});
@@ -212,7 +212,7 @@ class SurfaceRepair {
   void hold_neighbours() {
     SurfaceSites& sites = result_.state.sites;
     std::vector<std::uint8_t> stays = sites.stays;
-    const auto is_held = [&](RegionId r) { return r >= sites.outer && sites.stays[r] != 0; };
+    const auto is_held = [&](RegionId r) { return r >= sites.on_chains && sites.stays[r] != 0; };
     for (const Triangle& t : result_.dual.triangles) {
       if (!std::any_of(t.begin(), t.end(), is_held)) continue;
       for (const RegionId r : t) stays[r] = 1;
@@ -221,19 +221,19 @@ class SurfaceRepair {
   }
 
   // Removes sites of least energy so that with `count` more there are as many as wanted: free ones
-  // that no violation concerns, in parts with many.
+  // that no violation concerns, in patches with many.
   void make_room(std::size_t count) {
     SurfaceSites& sites = result_.state.sites;
     if (sites.size() + count <= wanted_) return;
     constexpr std::size_t few = 16;
-    std::vector<std::size_t> of_part(input_.parts, 0);
-    for (const std::uint32_t part : sites.part) ++of_part[part];
+    std::vector<std::size_t> of_patch(budget_.free.size(), 0);
+    for (std::size_t r = sites.on_chains; r < sites.size(); ++r) ++of_patch[sites.patch[r]];
     std::vector<std::uint8_t> is_needed = sites.stays;
     for (const RegionId r : regions_of_violations()) is_needed[r] = 1;
     const MomentUnit unit(input_.fine.whole_area);
     std::vector<std::pair<double, RegionId>> by_energy;
     for (RegionId r = 0; r < sites.size(); ++r) {
-      if (is_needed[r] != 0 || of_part[sites.part[r]] <= few) continue;
+      if (is_needed[r] != 0 || of_patch[sites.patch[r]] <= few) continue;
       by_energy.emplace_back(unit.energy(result_.cells[r], sites.positions[r]), r);
     }
     std::sort(by_energy.begin(), by_energy.end());
@@ -243,31 +243,31 @@ class SurfaceRepair {
     remove_sites(is_removed, sites, result_.state.labels);
   }
 
-  // A site on the boundary, with that vertex alone on its chain.
-  void insert_outer(VertexId v) {
+  // A site on a chain, with that vertex alone there.
+  void insert_on_chain(VertexId v) {
     LabelledSites& state = result_.state;
     const RegionId old = state.labels[v];
-    if (count_outer_vertices(old) < 2) return;
-    const auto added = static_cast<RegionId>(state.sites.outer);
+    if (count_chain_vertices(old) < 2) return;
+    const auto added = static_cast<RegionId>(state.sites.on_chains);
     const auto at = static_cast<std::ptrdiff_t>(added);
     state.sites.positions.insert(state.sites.positions.begin() + at, input_.fine.positions[v]);
-    state.sites.part.insert(state.sites.part.begin() + at, input_.part[v]);
+    state.sites.patch.insert(state.sites.patch.begin() + at, no_id);
     state.sites.stays.insert(state.sites.stays.begin() + at, 1);
-    ++state.sites.outer;
+    ++state.sites.on_chains;
     for (RegionId& label : state.labels) {
       if (label != no_id && label >= added) ++label;
     }
     state.labels[v] = added;
   }
 
-  [[nodiscard]] std::size_t count_outer_vertices(RegionId r) const {
+  [[nodiscard]] std::size_t count_chain_vertices(RegionId r) const {
     return static_cast<std::size_t>(
-        std::count_if(outer_.vertices.begin(), outer_.vertices.end(),
+        std::count_if(chains_.vertices.begin(), chains_.vertices.end(),
                       [&](VertexId v) { return result_.state.labels[v] == r; }));
   }
 
   const SurfaceInput& input_;
-  const OuterChains& outer_;
+  const Chains& chains_;
   SiteBudget budget_;
   std::size_t wanted_;
   LevelMesh level_;
@@ -279,9 +279,9 @@ class SurfaceRepair {
 
 }  // namespace
 
-DualisedSites repair_dual(const SurfaceInput& input, const OuterChains& outer, RestingSites resting,
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
                           SiteRelaxer& relaxer, Executor& executor) {
-  return SurfaceRepair(input, outer, std::move(resting), relaxer, executor).run();
+  return SurfaceRepair(surface, std::move(resting), relaxer, executor).run();
 }
 
 }  // namespace geolloyd

@@ -2,10 +2,9 @@
 
 #include "core/base/executor.h"
 #include "core/remesh/dual_mesh.h"
-#include "core/surface/outer_chains.h"
+#include "core/surface/patches.h"
 #include "core/surface/site_levels.h"
 #include "core/surface/site_relaxer.h"
-#include "core/surface/surface_input.h"
 
 namespace geolloyd {
 
@@ -22,7 +21,7 @@ struct DualisedSites {
 /// where a sheet is thinner than a spacing, the inserted sites and their neighbours stay where they
 /// are; if the others cannot make room either, there are more sites than wanted. An interrupt ends
 /// the moving of sites, not their insertion.
-DualisedSites repair_dual(const SurfaceInput& input, const OuterChains& outer, RestingSites resting,
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
                           SiteRelaxer& relaxer, Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -9,25 +9,25 @@
 
 namespace geolloyd {
 
-/// Sites on a surface, unit frame. Those on the boundary come first, and stay where they are.
+/// Sites on a surface, unit frame. Those on chains come first, and stay where they are.
 struct SurfaceSites {
   std::vector<Vec3> positions;
-  std::vector<std::uint32_t> part;  ///< per site: of the surface
-  std::vector<std::uint8_t> stays;  ///< per site: not 0 where it must not move
-  std::size_t outer = 0;            ///< how many are on the boundary
+  std::vector<std::uint32_t> patch;  ///< per site: its own, or no_id on a chain
+  std::vector<std::uint8_t> stays;   ///< per site: not 0 where it must not move
+  std::size_t on_chains = 0;            ///< how many are on chains
 
   SurfaceSites() = default;
-  /// Those on the boundary.
-  SurfaceSites(std::span<const Vec3> outer_positions, std::span<const std::uint32_t> outer_part)
-      : positions(outer_positions.begin(), outer_positions.end()),
-        part(outer_part.begin(), outer_part.end()),
+  /// Those on chains.
+  explicit SurfaceSites(std::span<const Vec3> chain_positions)
+      : positions(chain_positions.begin(), chain_positions.end()),
+        patch(positions.size(), no_id),
         stays(positions.size(), 1),
-        outer(positions.size()) {}
+        on_chains(positions.size()) {}
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }
-  void add(const Vec3& position, std::uint32_t of_part) {
+  void add(const Vec3& position, std::uint32_t of_patch) {
     positions.push_back(position);
-    part.push_back(of_part);
+    patch.push_back(of_patch);
     stays.push_back(0);
   }
 };

@@ -266,7 +266,7 @@ TEST(SurfaceStages, MakeTheSameInput) {
     const SurfaceInput input = surface_input_of(mesh, 0.1, scheduler);
     expect_same(input.fine, expected.fine);
     EXPECT_TRUE(same_bytes(input.origin, expected.origin));
-    EXPECT_TRUE(same_bytes(input.outer_edges, expected.outer_edges));
+    EXPECT_TRUE(same_bytes(input.boundary_edges, expected.boundary_edges));
     EXPECT_TRUE(same_bytes(input.part, expected.part));
     EXPECT_EQ(input.parts, expected.parts);
     EXPECT_EQ(input.frame.middle, expected.frame.middle);

@@ -21,7 +21,12 @@ inline void add_mesh(Mesh& mesh, const Mesh& more, const Vec3& shift, double sca
 /// No edge is split without `longest_edge`; where it is given, ten million vertices are enough.
 inline SurfaceInput surface_input_of(const Mesh& mesh, double longest_edge = 0,
                                      Executor& executor = sequential()) {
-  return make_surface_input(mesh, find_edges(mesh).duplicates, longest_edge, 1e7, executor);
+  const std::vector<TriangleId> duplicates = find_edges(mesh).duplicates;
+  SurfaceInputOptions options;
+  options.duplicates = duplicates;
+  options.longest_edge = longest_edge;
+  options.vertex_limit = 10'000'000;
+  return make_surface_input(mesh, options, executor);
 }
 
 inline Mesh mesh_of(const FineMesh& fine) {

@@ -15,11 +15,11 @@ namespace {
 struct BudgetedSurface {
   explicit BudgetedSurface(const Mesh& mesh, double spacing = 0.1, double longest_edge = 0)
       : input(surface_input_of(mesh, longest_edge)),
-        outer(find_outer_chains(input, spacing, true)),
-        budgeter(input, outer) {}
+        divided(input, spacing, true),
+        budgeter(divided) {}
 
   SurfaceInput input;
-  OuterChains outer;
+  DividedSurface divided;
   SiteBudgeter budgeter;
 };
 
@@ -42,11 +42,11 @@ TEST(SurfaceParts, AreThoseOfTheMesh) {
   punctured.triangles.pop_back();
   add_mesh(mesh, punctured, {0, 0, -4});
   const BudgetedSurface surface(mesh, 0.06);
-  ASSERT_EQ(surface.outer.pinholes.size(), 1U);
+  ASSERT_EQ(surface.divided.chains.pinholes.size(), 1U);
   std::vector<std::int64_t> closed;
   std::vector<std::int64_t> open;
   double area = 0;
-  for (const SurfacePart& part : find_surface_parts(surface.input, surface.outer)) {
+  for (const Patch& part : surface.divided.patches.patches) {
     (part.is_closed ? closed : open).push_back(part.euler_characteristic);
     area += part.area;
   }
@@ -63,7 +63,7 @@ TEST(SiteBudget, CountsTheVerticesOfRegularTriangles) {
   for (const double spacing : {0.5, 0.2, 0.05}) {
     const double triangles = surface.input.fine.whole_area * 4 / std::sqrt(3) / (spacing * spacing);
     const SiteBudget budget = surface.budgeter.at_spacing(spacing);
-    EXPECT_EQ(budget.outer, 0U);
+    EXPECT_EQ(budget.on_chains, 0U);
     ASSERT_EQ(budget.free.size(), 1U);
     EXPECT_NEAR(static_cast<double>(budget.free[0]), triangles / 2 + 2, 0.5 + 1e-9);
     EXPECT_EQ(budget.total(), budget.free[0]);
@@ -76,7 +76,7 @@ TEST(SiteBudget, CountsTheBoundary) {
   const BudgetedSurface surface(irregular_plane(5000, 1), 0.2);
   const double spacing = 0.1;
   const SiteBudget budget = surface.budgeter.at_spacing(spacing);
-  EXPECT_EQ(budget.outer, 80U);  // edges of length 2
+  EXPECT_EQ(budget.on_chains, 80U);  // edges of length 2
   const double triangles = 4 * 4 / std::sqrt(3) / (spacing * spacing);
   EXPECT_NEAR(static_cast<double>(budget.total()), 1 + triangles / 2 + 40, 0.5 + 1e-9);
 }
@@ -102,7 +102,7 @@ TEST(SiteBudget, OfSizeIsExact) {
 // Every part has its share of the area.
 TEST(SiteBudget, SharesByArea) {
   const BudgetedSurface surface(many_spheres(6, 0.7));
-  const auto parts = find_surface_parts(surface.input, surface.outer);
+  const std::vector<Patch>& parts = surface.divided.patches.patches;
   const SiteBudget budget = surface.budgeter.of_size(5000);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double share = parts[p].area / surface.input.fine.whole_area;
@@ -137,10 +137,10 @@ TEST(SiteBudget, SharesTheRest) {
 TEST(SiteBudget, GivesABoundaryItsLeast) {
   const BudgetedSurface disc(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 3);
   const SiteBudget budget = disc.budgeter.of_size(3);
-  EXPECT_EQ(budget.outer, 3U);
+  EXPECT_EQ(budget.on_chains, 3U);
   EXPECT_EQ(budget.total(), 3U);
   const BudgetedSurface tube(cylinder(500, 1), 0.5);
-  EXPECT_GE(tube.budgeter.of_size(4).outer, 6U);
+  EXPECT_GE(tube.budgeter.of_size(4).on_chains, 6U);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ void expect_surface(const SurfaceInput& input) {
     EXPECT_LE(count, 2);
     if (count == 1) outer.push_back(ends);
   }
-  EXPECT_EQ(input.outer_edges, outer);
+  EXPECT_EQ(input.boundary_edges, outer);
 
   std::uint32_t parts = 0;
   for (VertexId v = 0; v < fine.vertex_count(); ++v) {
@@ -92,7 +92,7 @@ struct AwkwardSurface {
   std::vector<Triangle> triangles;
   std::size_t vertices;  ///< after cutting
   std::size_t parts;
-  std::size_t outer_edges;
+  std::size_t boundary_edges;
 };
 
 // Twelve vertices in any position.
@@ -137,7 +137,7 @@ TEST_P(SurfaceInputOf, IsAManifold) {
   expect_same_triangles(mesh, input);
   EXPECT_EQ(input.fine.vertex_count(), GetParam().vertices);
   EXPECT_EQ(input.parts, GetParam().parts);
-  EXPECT_EQ(input.outer_edges.size(), GetParam().outer_edges);
+  EXPECT_EQ(input.boundary_edges.size(), GetParam().boundary_edges);
 }
 
 INSTANTIATE_TEST_SUITE_P(Awkward, SurfaceInputOf, testing::ValuesIn(awkward_surfaces), name_of);
@@ -245,7 +245,7 @@ TEST(SurfaceInput, CutsNothingElse) {
     expect_surface(input);
     EXPECT_EQ(input.fine.vertex_count(), whole.vertex_count() + 3);
     EXPECT_EQ(input.parts, 2U);
-    EXPECT_EQ(input.outer_edges.size(), 3U);
+    EXPECT_EQ(input.boundary_edges.size(), 3U);
   }
 }
 

@@ -167,7 +167,7 @@ Json remesh_part(const SurfaceRemesh& remesh) {
   return {{"vertices", vertices},
           {"triangles", remesh.mesh.triangle_count()},
           {"surplus_vertices", vertices - wanted},
-          {"boundary_vertices", remesh.boundary_sites},
+          {"boundary_vertices", remesh.chain_vertices},
           {"pinholes", remesh.pinholes},
           {"edges_flipped", remesh.edges_flipped},
           {"is_manifold", remesh.is_manifold()},

@@ -57,8 +57,27 @@ struct SurfaceRemeshProgress {
   double energy_ratio = 0;       ///< over that of the hexagonal tiling of the plane with as many
 };
 
+/// Edges of a mesh at which its surface turns.
+enum class Creases {
+  automatic,  ///< from 60 degrees on, continued by edges from 40 on, where what is around is smooth;
+              ///< none on scans
+  by_angle,   ///< from an angle on
+  none
+};
+
+/// What a remesh keeps as it is: chains of edges of the mesh become chains of edges of the remesh.
+/// The boundary always does.
+struct FeatureOptions {
+  Creases creases = Creases::automatic;
+  double crease_angle = 40;                     ///< by_angle: degrees, above 0 and up to 180
+  std::vector<std::array<VertexId, 2>> edges;   ///< further ones, in any order
+  std::vector<std::uint32_t> groups;            ///< per triangle, or empty: borders between them
+  std::vector<VertexId> fixed_vertices;         ///< become vertices of the remesh, in that place
+};
+
 struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
+  FeatureOptions features;
   /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
   /// made from where they are.
   std::function<bool(const SurfaceRemeshProgress&)> progress;
@@ -77,7 +96,8 @@ struct SurfaceStep {
 struct SurfaceRemesh {
   Mesh mesh;
   std::vector<SurfacePoint> places;  ///< per vertex: where it is on the input
-  std::size_t boundary_sites = 0;    ///< the first vertices: on the boundary, evenly spaced
+  std::size_t chain_vertices = 0;    ///< the first vertices: on boundary and features
+  std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
   std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
   std::size_t vertices_asked_for = 0;
   bool interrupted = false;  ///< the progress callback ended the moving of sites

@@ -1,4 +1,4 @@
-#include "core/surface/outer_chains.h"
+#include "core/surface/chains.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ Mesh riddled_plane(std::uint64_t random_seed) {
   return plane;
 }
 
-Vec3 point_at(const SurfaceInput& input, const OuterChain& chain, double arc) {
+Vec3 point_at(const SurfaceInput& input, const Chain& chain, double arc) {
   std::size_t i = 1;
   while (i + 1 < chain.arc.size() && chain.arc[i] < arc) ++i;
   const Vec3& a = input.fine.positions[chain.vertices[i - 1]];
@@ -54,14 +54,14 @@ Vec3 point_at(const SurfaceInput& input, const OuterChain& chain, double arc) {
   return edge > 0 ? Vec3(a + (b - a) * ((arc - chain.arc[i - 1]) / edge)) : a;
 }
 
-void expect_chain(const SurfaceInput& input, const OuterChain& chain) {
+void expect_chain(const SurfaceInput& input, const Chain& chain) {
   ASSERT_GE(chain.vertices.size(), 2U);
   ASSERT_EQ(chain.arc.size(), chain.vertices.size());
   EXPECT_EQ(chain.arc[0], 0);
   for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
     const VertexId a = chain.vertices[i - 1];
     const VertexId b = chain.vertices[i];
-    EXPECT_TRUE(std::ranges::binary_search(input.outer_edges, ascending(a, b)));
+    EXPECT_TRUE(std::ranges::binary_search(input.boundary_edges, ascending(a, b)));
     EXPECT_NEAR(chain.arc[i] - chain.arc[i - 1],
                 norm(input.fine.positions[a] - input.fine.positions[b]), 1e-12);
   }
@@ -69,11 +69,11 @@ void expect_chain(const SurfaceInput& input, const OuterChain& chain) {
 }
 
 // Every edge of the boundary is in one chain or one pinhole.
-void expect_whole_boundary(const SurfaceInput& input, const OuterChains& outer) {
+void expect_whole_boundary(const SurfaceInput& input, const Chains& chains) {
   std::vector<std::array<VertexId, 2>> edges;
   std::set<VertexId> ends;
   std::set<VertexId> vertices;
-  for (const OuterChain& chain : outer.chains) {
+  for (const Chain& chain : chains.chains) {
     expect_chain(input, chain);
     vertices.insert(chain.vertices.begin(), chain.vertices.end());
     for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
@@ -81,35 +81,35 @@ void expect_whole_boundary(const SurfaceInput& input, const OuterChains& outer) 
     }
     if (!chain.is_loop) ends.insert({chain.vertices.front(), chain.vertices.back()});
   }
-  for (const std::vector<VertexId>& loop : outer.pinholes) {
+  for (const std::vector<VertexId>& loop : chains.pinholes) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       edges.push_back(ascending(loop[i], loop[(i + 1) % loop.size()]));
     }
   }
   std::sort(edges.begin(), edges.end());
-  EXPECT_EQ(edges, input.outer_edges);
-  EXPECT_TRUE(std::ranges::equal(outer.corners, ends));
-  EXPECT_TRUE(std::ranges::equal(outer.vertices, vertices));
+  EXPECT_EQ(edges, input.boundary_edges);
+  EXPECT_TRUE(std::ranges::equal(chains.corners, ends));
+  EXPECT_TRUE(std::ranges::equal(chains.vertices, vertices));
 }
 
-RegionId label_of(const OuterChains& outer, const OuterSites& placed, VertexId v) {
-  const auto found = std::ranges::lower_bound(outer.vertices, v);
-  EXPECT_TRUE(found != outer.vertices.end() && *found == v);
-  return placed.label[static_cast<std::size_t>(found - outer.vertices.begin())];
+RegionId label_of(const Chains& chains, const ChainSites& placed, VertexId v) {
+  const auto found = std::ranges::lower_bound(chains.vertices, v);
+  EXPECT_TRUE(found != chains.vertices.end() && *found == v);
+  return placed.label[static_cast<std::size_t>(found - chains.vertices.begin())];
 }
 
 // From end to end a chain's vertices have its sites in their order, each at least once. Sites are
 // as far from each other along it, and each vertex has the nearest.
-void expect_even_sites(const SurfaceInput& input, const OuterChains& outer, const OuterChain& chain,
-                       const OuterSites& placed, double spacing) {
+void expect_even_sites(const SurfaceInput& input, const Chains& chains, const Chain& chain,
+                       const ChainSites& placed, double spacing) {
   const std::size_t intervals = chain.intervals(spacing);
   EXPECT_EQ(intervals, std::max(chain.least_intervals,
                                 static_cast<std::size_t>(chain.of_chords / spacing + 0.5)));
   const double step = chain.length() / static_cast<double>(intervals);
   std::size_t place = 0;
-  RegionId last = label_of(outer, placed, chain.vertices[0]);
+  RegionId last = label_of(chains, placed, chain.vertices[0]);
   for (std::size_t i = 0; i < chain.vertices.size(); ++i) {
-    const RegionId label = label_of(outer, placed, chain.vertices[i]);
+    const RegionId label = label_of(chains, placed, chain.vertices[i]);
     if (label != last) ++place;
     last = label;
     const double at = step * static_cast<double>(place);
@@ -119,25 +119,23 @@ void expect_even_sites(const SurfaceInput& input, const OuterChains& outer, cons
   EXPECT_EQ(place, intervals) << "a site without a vertex";
 }
 
-void expect_sites(const SurfaceInput& input, const OuterChains& outer, double spacing) {
-  const OuterSites placed = place_outer_sites(input, outer, spacing);
-  std::size_t count = outer.corners.size();
-  for (const OuterChain& chain : outer.chains) {
-    expect_even_sites(input, outer, chain, placed, spacing);
+void expect_sites(const SurfaceInput& input, const Chains& chains, double spacing) {
+  const ChainSites placed = place_chain_sites(input, chains, spacing);
+  std::size_t count = chains.corners.size();
+  for (const Chain& chain : chains.chains) {
+    expect_even_sites(input, chains, chain, placed, spacing);
     count += chain.intervals(spacing) - (chain.is_loop ? 0 : 1);
   }
   EXPECT_EQ(placed.sites.size(), count);
-  ASSERT_EQ(placed.part.size(), count);
-  ASSERT_EQ(placed.label.size(), outer.vertices.size());
-  for (std::size_t i = 0; i < outer.vertices.size(); ++i) {
-    EXPECT_EQ(placed.part[placed.label[i]], input.part[outer.vertices[i]]);
+  ASSERT_EQ(placed.label.size(), chains.vertices.size());
+  for (std::size_t i = 0; i < chains.vertices.size(); ++i) {
   }
-  for (std::size_t c = 0; c < outer.corners.size(); ++c) {
-    EXPECT_EQ(placed.sites[c], input.fine.positions[outer.corners[c]]);
+  for (std::size_t c = 0; c < chains.corners.size(); ++c) {
+    EXPECT_EQ(placed.sites[c], input.fine.positions[chains.corners[c]]);
   }
 }
 
-void expect_a_vertex_each(const OuterSites& placed) {
+void expect_a_vertex_each(const ChainSites& placed) {
   const std::set<RegionId> met(placed.label.begin(), placed.label.end());
   EXPECT_EQ(met.size(), placed.sites.size());
   EXPECT_TRUE(met.empty() || *met.rbegin() < placed.sites.size());
@@ -149,66 +147,66 @@ SurfaceInput input_for(const Mesh& mesh, double spacing_in_mesh) {
   return surface_input_of(mesh, 0.558 * spacing_in_mesh);
 }
 
-TEST(OuterChains, OfASquareAreItsSides) {
+TEST(Chains, OfASquareAreItsSides) {
   const Mesh square = irregular_plane(1800, 1);
   for (const double spacing : {0.3, 0.21, 0.1, 0.037}) {
     const SurfaceInput input = input_for(square, spacing);
     const double scaled = spacing * input.frame.scale;
-    const OuterChains outer = find_outer_chains(input, scaled, true);
-    EXPECT_EQ(outer.corners.size(), 4U);
-    ASSERT_EQ(outer.chains.size(), 4U);
-    EXPECT_TRUE(outer.pinholes.empty());
-    for (const OuterChain& chain : outer.chains) {
+    const Chains chains = find_chains(input, scaled, true);
+    EXPECT_EQ(chains.corners.size(), 4U);
+    ASSERT_EQ(chains.chains.size(), 4U);
+    EXPECT_TRUE(chains.pinholes.empty());
+    for (const Chain& chain : chains.chains) {
       EXPECT_FALSE(chain.is_loop);
       EXPECT_NEAR(chain.length(), input.frame.scale, 1e-12);
       EXPECT_EQ(chain.intervals(scaled), static_cast<std::size_t>(std::lround(1 / spacing)));
     }
-    expect_whole_boundary(input, outer);
-    expect_sites(input, outer, scaled);
+    expect_whole_boundary(input, chains);
+    expect_sites(input, chains, scaled);
     // Levels put fewer on the same chains.
-    expect_sites(input, outer, 2 * scaled);
-    expect_sites(input, outer, 4 * scaled);
+    expect_sites(input, chains, 2 * scaled);
+    expect_sites(input, chains, 4 * scaled);
   }
 }
 
-TEST(OuterChains, OfADiscIsALoop) {
+TEST(Chains, OfADiscIsALoop) {
   const SurfaceInput input = input_for(regular_polygon(60), 0.2);
   const double spacing = 0.2 * input.frame.scale;
-  const OuterChains outer = find_outer_chains(input, spacing, true);
-  EXPECT_TRUE(outer.corners.empty());
-  ASSERT_EQ(outer.chains.size(), 1U);
-  EXPECT_TRUE(outer.chains[0].is_loop);
-  EXPECT_EQ(outer.chains[0].vertices.front(), 0U) << "begins at its smallest vertex";
-  EXPECT_NEAR(outer.chains[0].length(), 120 * std::sin(std::numbers::pi / 60) * input.frame.scale,
+  const Chains chains = find_chains(input, spacing, true);
+  EXPECT_TRUE(chains.corners.empty());
+  ASSERT_EQ(chains.chains.size(), 1U);
+  EXPECT_TRUE(chains.chains[0].is_loop);
+  EXPECT_EQ(chains.chains[0].vertices.front(), 0U) << "begins at its smallest vertex";
+  EXPECT_NEAR(chains.chains[0].length(), 120 * std::sin(std::numbers::pi / 60) * input.frame.scale,
               1e-12);
-  expect_whole_boundary(input, outer);
-  for (const double factor : {1.0, 2.0, 4.0, 100.0}) expect_sites(input, outer, factor * spacing);
-  EXPECT_EQ(place_outer_sites(input, outer, 100 * spacing).sites.size(), 3U);
+  expect_whole_boundary(input, chains);
+  for (const double factor : {1.0, 2.0, 4.0, 100.0}) expect_sites(input, chains, factor * spacing);
+  EXPECT_EQ(place_chain_sites(input, chains, 100 * spacing).sites.size(), 3U);
 }
 
 // A heptagon turns by 51 degrees at a corner, an octagon by 45.
-TEST(OuterChains, TurnSharplyAtCorners) {
+TEST(Chains, TurnSharplyAtCorners) {
   for (VertexId corners = 3; corners <= 9; ++corners) {
     const SurfaceInput input = input_for(regular_polygon(corners), 0.1);
-    const OuterChains outer = find_outer_chains(input, 0.1 * input.frame.scale, true);
-    EXPECT_EQ(outer.corners.size(), corners < 8 ? corners : 0) << corners;
-    EXPECT_EQ(outer.chains.size(), corners < 8 ? corners : 1) << corners;
-    expect_whole_boundary(input, outer);
-    expect_sites(input, outer, 0.1 * input.frame.scale);
+    const Chains chains = find_chains(input, 0.1 * input.frame.scale, true);
+    EXPECT_EQ(chains.corners.size(), corners < 8 ? corners : 0) << corners;
+    EXPECT_EQ(chains.chains.size(), corners < 8 ? corners : 1) << corners;
+    expect_whole_boundary(input, chains);
+    expect_sites(input, chains, 0.1 * input.frame.scale);
   }
 }
 
 // Chords between its sites are as long as edges elsewhere, though the way along it is longer.
-TEST(OuterChains, OfAJaggedBoundaryHaveChordsOfOneSpacing) {
+TEST(Chains, OfAJaggedBoundaryHaveChordsOfOneSpacing) {
   constexpr VertexId teeth = 400;
   Mesh disc = regular_polygon(2 * teeth);
   for (VertexId v = 1; v < disc.vertex_count(); v += 2) disc.positions[v] *= 0.98;
   const SurfaceInput input = input_for(disc, 0.2);
   const double spacing = 0.2 * input.frame.scale;
-  const OuterChains outer = find_outer_chains(input, spacing, true);
-  ASSERT_EQ(outer.chains.size(), 1U);
-  EXPECT_GT(outer.chains[0].length(), 2.5 * 2 * std::numbers::pi * input.frame.scale);
-  const OuterSites placed = place_outer_sites(input, outer, spacing);
+  const Chains chains = find_chains(input, spacing, true);
+  ASSERT_EQ(chains.chains.size(), 1U);
+  EXPECT_GT(chains.chains[0].length(), 2.5 * 2 * std::numbers::pi * input.frame.scale);
+  const ChainSites placed = place_chain_sites(input, chains, spacing);
   double chords = 0;
   for (std::size_t i = 0; i < placed.sites.size(); ++i) {
     chords += norm(placed.sites[i] - placed.sites[(i + 1) % placed.sites.size()]);
@@ -219,35 +217,35 @@ TEST(OuterChains, OfAJaggedBoundaryHaveChordsOfOneSpacing) {
 }
 
 // Rounded within half a spacing, a corner is one still.
-TEST(OuterChains, TurnAtRoundedCorners) {
+TEST(Chains, TurnAtRoundedCorners) {
   Mesh disc = regular_polygon(80);  // a quarter of a circle of radius 0.02 at each corner
   for (std::size_t v = 1; v <= 80; ++v) {
     Vec3& p = disc.positions[v];
     p = 0.02 * p + Vec3(p.x() + p.y() > 0 ? 1 : -1, p.y() - p.x() > 0 ? 1 : -1, 0);
   }
   const SurfaceInput input = input_for(disc, 0.2);
-  const OuterChains outer = find_outer_chains(input, 0.2 * input.frame.scale, true);
-  EXPECT_EQ(outer.corners.size(), 4U);
-  expect_whole_boundary(input, outer);
-  expect_sites(input, outer, 0.2 * input.frame.scale);
+  const Chains chains = find_chains(input, 0.2 * input.frame.scale, true);
+  EXPECT_EQ(chains.corners.size(), 4U);
+  expect_whole_boundary(input, chains);
+  expect_sites(input, chains, 0.2 * input.frame.scale);
 }
 
-TEST(OuterChains, OfAClosedSurfaceAreNone) {
+TEST(Chains, OfAClosedSurfaceAreNone) {
   const SurfaceInput input = surface_input_of(icosphere(100));
-  const OuterChains outer = find_outer_chains(input, 0.1, true);
-  EXPECT_TRUE(outer.chains.empty());
-  EXPECT_TRUE(outer.pinholes.empty());
-  EXPECT_TRUE(place_outer_sites(input, outer, 0.1).sites.empty());
+  const Chains chains = find_chains(input, 0.1, true);
+  EXPECT_TRUE(chains.chains.empty());
+  EXPECT_TRUE(chains.pinholes.empty());
+  EXPECT_TRUE(place_chain_sites(input, chains, 0.1).sites.empty());
 }
 
-TEST(OuterChains, OfATubeAreTwoLoops) {
+TEST(Chains, OfATubeAreTwoLoops) {
   const SurfaceInput input = input_for(cylinder(2000, 1), 0.2);
   const double spacing = 0.2 * input.frame.scale;
-  const OuterChains outer = find_outer_chains(input, spacing, true);
-  ASSERT_EQ(outer.chains.size(), 2U);
-  EXPECT_TRUE(outer.corners.empty());
-  expect_whole_boundary(input, outer);
-  for (const double factor : {1.0, 2.0, 4.0}) expect_sites(input, outer, factor * spacing);
+  const Chains chains = find_chains(input, spacing, true);
+  ASSERT_EQ(chains.chains.size(), 2U);
+  EXPECT_TRUE(chains.corners.empty());
+  expect_whole_boundary(input, chains);
+  for (const double factor : {1.0, 2.0, 4.0}) expect_sites(input, chains, factor * spacing);
 }
 
 // A sphere with a triangle missing.
@@ -259,52 +257,52 @@ SurfaceInput punctured_sphere() {
 
 double length_of_boundary(const SurfaceInput& input) {
   double length = 0;
-  for (const auto& [a, b] : input.outer_edges) {
+  for (const auto& [a, b] : input.boundary_edges) {
     length += norm(input.fine.positions[a] - input.fine.positions[b]);
   }
   return length;
 }
 
 // Three sites on it would be less than 0.6 spacings apart.
-TEST(OuterChains, OfATinyHoleIsAPinhole) {
+TEST(Chains, OfATinyHoleIsAPinhole) {
   const SurfaceInput input = punctured_sphere();
   const double length = length_of_boundary(input);
-  const OuterChains tiny = find_outer_chains(input, length / 1.79, true);
+  const Chains tiny = find_chains(input, length / 1.79, true);
   ASSERT_EQ(tiny.pinholes.size(), 1U);
   EXPECT_EQ(tiny.pinholes[0].size(), 3U);
   EXPECT_TRUE(tiny.chains.empty());
   EXPECT_TRUE(tiny.vertices.empty());
   EXPECT_EQ(tiny.loops.size(), 1U);
-  EXPECT_TRUE(place_outer_sites(input, tiny, length / 1.79).sites.empty());
-  const OuterChains large = find_outer_chains(input, length / 2.6, true);
+  EXPECT_TRUE(place_chain_sites(input, tiny, length / 1.79).sites.empty());
+  const Chains large = find_chains(input, length / 2.6, true);
   EXPECT_TRUE(large.pinholes.empty());
   EXPECT_EQ(large.loops.size(), 1U);
-  EXPECT_EQ(place_outer_sites(input, large, length / 2.6).sites.size(), 3U);
+  EXPECT_EQ(place_chain_sites(input, large, length / 2.6).sites.size(), 3U);
 }
 
-TEST(OuterChains, HavePinholesOnlyWhereTheyMay) {
+TEST(Chains, HavePinholesOnlyWhereTheyMay) {
   const SurfaceInput input = punctured_sphere();
   for (const double spacing : {0.05, 0.2, 0.5, 2.0}) {
-    const OuterChains outer = find_outer_chains(input, spacing, false);
-    EXPECT_TRUE(outer.pinholes.empty());
-    expect_whole_boundary(input, outer);
+    const Chains chains = find_chains(input, spacing, false);
+    EXPECT_TRUE(chains.pinholes.empty());
+    expect_whole_boundary(input, chains);
   }
   const double barely = std::sqrt(input.fine.whole_area / 8);
-  EXPECT_EQ(find_outer_chains(input, 0.99 * barely, true).pinholes.size(), 1U);
-  EXPECT_TRUE(find_outer_chains(input, 1.01 * barely, true).pinholes.empty());
+  EXPECT_EQ(find_chains(input, 0.99 * barely, true).pinholes.size(), 1U);
+  EXPECT_TRUE(find_chains(input, 1.01 * barely, true).pinholes.empty());
 }
 
 // At least three vertices in every loop, and each has a vertex of the surface.
-TEST(OuterChains, OfHolesOfAnyShape) {
+TEST(Chains, OfHolesOfAnyShape) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     const double spacing = 0.02 * std::pow(1.3, static_cast<double>(seed % 10));
     const SurfaceInput input = input_for(riddled_plane(seed), spacing);
     const double scaled = spacing * input.frame.scale;
-    const OuterChains outer = find_outer_chains(input, scaled, true);
-    expect_whole_boundary(input, outer);
-    expect_sites(input, outer, scaled);
-    expect_sites(input, outer, 2 * scaled);
+    const Chains chains = find_chains(input, scaled, true);
+    expect_whole_boundary(input, chains);
+    expect_sites(input, chains, scaled);
+    expect_sites(input, chains, 2 * scaled);
   }
 }
 
@@ -332,7 +330,7 @@ double length_of(const std::vector<Vec3>& loop) {
 
 // Lenses have two corners, drops have one, with edges as long as they may be. Even where three
 // sites are close together, each has a vertex.
-TEST(OuterChains, OfSmallHolesOfAnyShape) {
+TEST(Chains, OfSmallHolesOfAnyShape) {
   for (const double width : {0.01, 0.03, 0.1}) {
     for (const int corners : {0, 1, 2}) {
       for (const std::uint64_t points : {3U, 5U, 6U, 8U, 30U}) {
@@ -351,11 +349,11 @@ TEST(OuterChains, OfSmallHolesOfAnyShape) {
           const double spacing = length_of(hole) / spacings;
           const SurfaceInput input = input_for(disc_with_hole(hole), spacing);
           const double scaled = spacing * input.frame.scale;
-          const OuterChains outer = find_outer_chains(input, scaled, false);
-          expect_whole_boundary(input, outer);
-          if (spacings > 1.8) expect_sites(input, outer, scaled);
-          expect_a_vertex_each(place_outer_sites(input, outer, scaled));
-          expect_a_vertex_each(place_outer_sites(input, outer, 2 * scaled));
+          const Chains chains = find_chains(input, scaled, false);
+          expect_whole_boundary(input, chains);
+          if (spacings > 1.8) expect_sites(input, chains, scaled);
+          expect_a_vertex_each(place_chain_sites(input, chains, scaled));
+          expect_a_vertex_each(place_chain_sites(input, chains, 2 * scaled));
         }
       }
     }
@@ -363,20 +361,20 @@ TEST(OuterChains, OfSmallHolesOfAnyShape) {
 }
 
 // Where edges are longer than the spacing, there are no more intervals than edges.
-TEST(OuterChains, OfLongEdges) {
+TEST(Chains, OfLongEdges) {
   Mesh triangle = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   for (const Mesh& mesh :
        {triangle, irregular_plane(2, 1), irregular_plane(50, 1), cylinder(60, 1)}) {
     const SurfaceInput input = surface_input_of(mesh);
     for (const double spacing : {1.0, 0.3, 0.1, 0.01}) {
       SCOPED_TRACE(spacing);
-      const OuterChains outer = find_outer_chains(input, spacing, false);
-      expect_whole_boundary(input, outer);
-      const OuterSites placed = place_outer_sites(input, outer, spacing);
-      EXPECT_LE(placed.sites.size(), outer.vertices.size());
+      const Chains chains = find_chains(input, spacing, false);
+      expect_whole_boundary(input, chains);
+      const ChainSites placed = place_chain_sites(input, chains, spacing);
+      EXPECT_LE(placed.sites.size(), chains.vertices.size());
       const std::set<RegionId> met(placed.label.begin(), placed.label.end());
       EXPECT_EQ(met.size(), placed.sites.size());
-      for (const OuterChain& chain : outer.chains) {
+      for (const Chain& chain : chains.chains) {
         EXPECT_LT(chain.intervals(spacing), chain.vertices.size());
       }
     }
@@ -386,20 +384,20 @@ TEST(OuterChains, OfLongEdges) {
 // Where the boundary has edges without length.
 // Its boundary is 10^10 spacings long, or more than numbers can count. Intervals are no more than
 // edges.
-TEST(OuterChains, OfATriangleWithHardlyAnyArea) {
+TEST(Chains, OfATriangleWithHardlyAnyArea) {
   const SurfaceInput input =
       surface_input_of({{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-20, 0}}, {{0, 1, 2}}}, 0.1);
   for (const double spacing : {1e-10, 1e-20, 1e-40}) {
-    const OuterChains outer = find_outer_chains(input, spacing, true);
-    ASSERT_FALSE(outer.chains.empty());
-    for (const OuterChain& chain : outer.chains) {
+    const Chains chains = find_chains(input, spacing, true);
+    ASSERT_FALSE(chains.chains.empty());
+    for (const Chain& chain : chains.chains) {
       EXPECT_EQ(chain.intervals(spacing), chain.vertices.size() - 1) << spacing;
     }
   }
 }
 
 // A triangle of three vertices at one place, beside an ordinary mesh.
-TEST(OuterChains, OfATriangleThatIsAPoint) {
+TEST(Chains, OfATriangleThatIsAPoint) {
   for (const double size : {0.0, 1e-12}) {
     Mesh mesh = icosphere(300);
     const auto first = static_cast<VertexId>(mesh.vertex_count());
@@ -412,14 +410,14 @@ TEST(OuterChains, OfATriangleThatIsAPoint) {
   }
 }
 
-TEST(OuterChains, OfRepeatedPlaces) {
+TEST(Chains, OfRepeatedPlaces) {
   Mesh square = irregular_plane(200, 1);
   for (std::size_t i = 1; i < 4; ++i) square.positions[i] = square.positions[0];
   const SurfaceInput input = input_for(square, 0.2);
-  const OuterChains outer = find_outer_chains(input, 0.2 * input.frame.scale, true);
-  expect_whole_boundary(input, outer);
-  EXPECT_GE(outer.corners.size(), 3U);
-  const OuterSites placed = place_outer_sites(input, outer, 0.2 * input.frame.scale);
+  const Chains chains = find_chains(input, 0.2 * input.frame.scale, true);
+  expect_whole_boundary(input, chains);
+  EXPECT_GE(chains.corners.size(), 3U);
+  const ChainSites placed = place_chain_sites(input, chains, 0.2 * input.frame.scale);
   for (const Vec3& site : placed.sites) EXPECT_LE(norm(site), 2);
 }
 

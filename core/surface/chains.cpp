@@ -1,0 +1,449 @@
+#include "core/surface/chains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/base/rounding.h"
+#include "core/base/sorting.h"
+
+namespace geolloyd {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+
+// A polygon of vertices, open or closed.
+class Path {
+ public:
+  Path(const FineMesh& mesh, std::vector<VertexId> vertices, bool is_closed)
+      : mesh_(mesh), vertices_(std::move(vertices)), is_closed_(is_closed), arc_(1, 0) {
+    for (std::size_t i = 0; i < edges(); ++i) {
+      arc_.push_back(arc_.back() + norm(position(i + 1) - position(i)));
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return vertices_.size(); }
+  [[nodiscard]] double length() const { return arc_.back(); }
+  [[nodiscard]] const std::vector<VertexId>& vertices() const { return vertices_; }
+
+  /// Of a closed one: three sites on it would be closer together than they should.
+  [[nodiscard]] bool is_pinhole(double spacing) const {
+    constexpr double least_share = 0.6;  // of a spacing
+    const double third = length() / 3;
+    if (third < least_share * spacing) return true;
+    if (third > 1.5 * spacing) return false;
+    const Vec3 a = position(0);
+    const Vec3 b = point_at(0, third);
+    const Vec3 c = point_at(0, 2 * third);
+    return std::min({norm(a - b), norm(b - c), norm(c - a)}) < least_share * spacing;
+  }
+
+  /// Places in `vertices` at which it turns most sharply within `reach`, ascending; no ends.
+  [[nodiscard]] std::vector<std::size_t> corners(double reach) const {
+    const std::size_t first = is_closed_ ? 0 : 1;
+    const std::size_t last = is_closed_ ? size() : size() - 1;
+    std::vector<double> turn(size(), 1);  // cosine
+    for (std::size_t i = first; i < last; ++i) turn[i] = cosine_of_turn(i, reach);
+    std::vector<std::size_t> found;
+    for (std::size_t i = first; i < last; ++i) {
+      constexpr double sharp_cosine = 0.6427876096865394;  // of 50 degrees
+      if (turn[i] < sharp_cosine && is_sharpest(turn, i, reach)) found.push_back(i);
+    }
+    return found;
+  }
+
+  /// From one place to a later one, or around to it.
+  [[nodiscard]] Chain chain(std::size_t from, std::size_t to) const {
+    Chain chain;
+    for (std::size_t i = from; i <= to; ++i) {
+      chain.vertices.push_back(vertices_[i % size()]);
+      chain.arc.push_back(
+          i == from ? 0 : chain.arc.back() + (arc_[(i - 1) % size() + 1] - arc_[(i - 1) % size()]));
+    }
+    return chain;
+  }
+
+ private:
+  [[nodiscard]] std::size_t edges() const { return is_closed_ ? size() : size() - 1; }
+  [[nodiscard]] const Vec3& position(std::size_t i) const {
+    return mesh_.positions[vertices_[i % size()]];
+  }
+  // Whether it goes on from vertex i; else that is an end.
+  [[nodiscard]] bool goes_on(std::size_t i, bool forward) const {
+    return is_closed_ || i != (forward ? size() - 1 : 0);
+  }
+
+  // At `way` along the path from vertex i, or at its end; negative: backward.
+  [[nodiscard]] Vec3 point_at(std::size_t i, double way) const {
+    const std::size_t step = way > 0 ? 1 : size() - 1;
+    if (!(length() > 0)) return position(i);
+    double left = std::abs(way);
+    if (left >= length()) left = std::fmod(left, length());  // which is exact
+    while (goes_on(i, way > 0)) {
+      const std::size_t next = (i + step) % size();
+      const double edge = norm(position(next) - position(i));
+      if (left < edge) return position(i) + (position(next) - position(i)) * (left / edge);
+      left -= edge;
+      i = next;
+    }
+    return position(i);
+  }
+
+  [[nodiscard]] double cosine_of_turn(std::size_t i, double reach) const {
+    const Vec3 in = normalized(position(i) - point_at(i, -reach));
+    const Vec3 out = normalized(point_at(i, reach) - position(i));
+    return dot(in, out);
+  }
+
+  // Of equals, the first one.
+  [[nodiscard]] bool is_sharpest(const std::vector<double>& turn, std::size_t i,
+                                 double reach) const {
+    for (const std::size_t step : {std::size_t{1}, size() - 1}) {
+      double way = 0;
+      for (std::size_t j = i; way <= reach && goes_on(j, step == 1);) {
+        const std::size_t next = (j + step) % size();
+        way += norm(position(next) - position(j));
+        j = next;
+        if (j == i || way > reach) break;
+        if (std::pair(turn[j], j) < std::pair(turn[i], i)) return false;
+      }
+    }
+    return true;
+  }
+
+  const FineMesh& mesh_;
+  std::vector<VertexId> vertices_;
+  bool is_closed_;
+  std::vector<double> arc_;
+};
+
+// Edges as seen from both of their ends.
+class Network {
+ public:
+  Network(std::vector<Edge> edges, std::vector<VertexId> fixed)
+      : ends_(std::move(edges)), fixed_(std::move(fixed)) {
+    const std::size_t count = ends_.size();
+    for (std::size_t i = 0; i < count; ++i) ends_.push_back({ends_[i][1], ends_[i][0]});
+    std::sort(ends_.begin(), ends_.end());
+    is_done_.assign(ends_.size(), 0);
+  }
+
+  [[nodiscard]] std::size_t degree(VertexId v) const {
+    std::size_t count = 0;
+    for (std::size_t i = first_at(v); i < ends_.size() && ends_[i][0] == v; ++i) ++count;
+    return count;
+  }
+  /// Where other than two edges meet, and where a vertex is fixed.
+  [[nodiscard]] bool is_node(VertexId v) const {
+    return degree(v) != 2 || std::binary_search(fixed_.begin(), fixed_.end(), v);
+  }
+  /// Ascending.
+  [[nodiscard]] std::vector<VertexId> nodes() const {
+    std::vector<VertexId> nodes = fixed_;
+    for (const Edge& e : ends_) {
+      if (is_node(e[0])) nodes.push_back(e[0]);
+    }
+    sort_and_deduplicate(nodes);
+    return nodes;
+  }
+
+  /// From node to node; each once.
+  std::vector<std::vector<VertexId>> take_paths() {
+    std::vector<std::vector<VertexId>> paths;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (is_done_[i] == 0 && is_node(ends_[i][0])) paths.push_back(walk(i));
+    }
+    return paths;
+  }
+  /// What is left: each begins at its smallest vertex and goes toward the smaller of its
+  /// neighbours.
+  std::vector<std::vector<VertexId>> take_loops() {
+    std::vector<std::vector<VertexId>> loops;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (is_done_[i] != 0) continue;
+      loops.push_back(walk(i));
+      loops.back().pop_back();
+    }
+    return loops;
+  }
+
+ private:
+  [[nodiscard]] std::size_t first_at(VertexId v) const {
+    return static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), Edge{v, 0}) -
+                                    ends_.begin());
+  }
+
+  // To the next node, or around.
+  std::vector<VertexId> walk(std::size_t at) {
+    const VertexId start = ends_[at][0];
+    std::vector<VertexId> path = {start};
+    while (true) {
+      const auto [from, to] = ends_[at];
+      take(from, to);
+      path.push_back(to);
+      if (to == start || is_node(to)) return path;
+      const std::size_t first = first_at(to);
+      at = ends_[first][1] != from ? first : first + 1;
+    }
+  }
+  void take(VertexId a, VertexId b) {
+    for (const Edge& e : {Edge{a, b}, Edge{b, a}}) {
+      is_done_[static_cast<std::size_t>(std::lower_bound(ends_.begin(), ends_.end(), e) -
+                                        ends_.begin())] = 1;
+    }
+  }
+
+  std::vector<Edge> ends_;  // both directions; ascending
+  std::vector<VertexId> fixed_;
+  std::vector<std::uint8_t> is_done_;
+};
+
+Vec3 point_at(const FineMesh& mesh, const Chain& chain, double at) {
+  const auto above = std::upper_bound(chain.arc.begin() + 1, chain.arc.end() - 1, at);
+  const auto edge = static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+  const Vec3& a = mesh.positions[chain.vertices[edge]];
+  const Vec3& b = mesh.positions[chain.vertices[edge + 1]];
+  const double length = chain.arc[edge + 1] - chain.arc[edge];
+  return length > 0 ? Vec3(a + (b - a) * ((at - chain.arc[edge]) / length)) : a;
+}
+
+// How often `spacing` goes into `length`, and no more than a chain has edges.
+std::size_t intervals_of(const Chain& chain, double length, double spacing) {
+  const std::size_t most = chain.vertices.size() - 1;
+  if (!(length < spacing * static_cast<double>(most))) return most;
+  return std::clamp(round_to_whole(length / spacing), std::min(chain.least_intervals, most), most);
+}
+
+// Where even places, so many as there are spacings, are joined by straight lines.
+double length_of_chords(const FineMesh& mesh, const Chain& chain, double spacing) {
+  const std::size_t count = intervals_of(chain, chain.length(), spacing);
+  double sum = 0;
+  Vec3 last = mesh.positions[chain.vertices.front()];
+  for (std::size_t i = 1; i <= count; ++i) {
+    const Vec3 next =
+        point_at(mesh, chain, chain.length() * static_cast<double>(i) / static_cast<double>(count));
+    sum += norm(next - last);
+    last = next;
+  }
+  return sum;
+}
+
+// Cuts a path into chains, at its corners.
+class ChainCutter {
+ public:
+  ChainCutter(const FineMesh& mesh, double spacing, Chains& chains)
+      : mesh_(mesh), spacing_(spacing), chains_(chains) {}
+
+  // A loop that is to have few sites keeps three corners or none: chains between one or two would
+  // be too short for even spacing.
+  void add_loop(const std::vector<VertexId>& vertices) {
+    constexpr double few = 6;  // spacings
+    const Path loop(mesh_, vertices, true);
+    const std::vector<std::size_t> corners = loop.corners(spacing_ / 2);
+    if (corners.empty() || (corners.size() < 3 && loop.length() < few * spacing_)) {
+      const std::size_t start = corners.empty() ? 0 : corners.front();
+      chains_.chains.push_back(loop.chain(start, start + loop.size()));
+      chains_.chains.back().is_loop = true;
+      return;
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const bool is_last = i + 1 == corners.size();
+      const std::size_t to = is_last ? corners.front() + loop.size() : corners[i + 1];
+      chains_.chains.push_back(loop.chain(corners[i], to));
+      chains_.corners.push_back(vertices[corners[i]]);
+    }
+  }
+
+  // Its ends are corners already.
+  void add_path(const std::vector<VertexId>& vertices) {
+    const Path path(mesh_, vertices, false);
+    std::size_t from = 0;
+    for (const std::size_t corner : path.corners(spacing_ / 2)) {
+      chains_.chains.push_back(path.chain(from, corner));
+      chains_.corners.push_back(vertices[corner]);
+      from = corner;
+    }
+    chains_.chains.push_back(path.chain(from, vertices.size() - 1));
+  }
+
+  // No two edges of a remesh join the same vertices.
+  void count_intervals() {
+    std::vector<Edge> ends;
+    for (const Chain& chain : chains_.chains) ends.push_back(ends_of(chain));
+    std::sort(ends.begin(), ends.end());
+    for (Chain& chain : chains_.chains) {
+      const auto same = std::equal_range(ends.begin(), ends.end(), ends_of(chain));
+      const bool is_alone = same.second - same.first == 1;
+      chain.least_intervals = ends_of(chain)[0] == ends_of(chain)[1] ? 3 : is_alone ? 1 : 2;
+      chain.of_chords = length_of_chords(mesh_, chain, spacing_);
+    }
+  }
+
+ private:
+  static Edge ends_of(const Chain& chain) {
+    return ascending(chain.vertices.front(), chain.vertices.back());
+  }
+
+  const FineMesh& mesh_;
+  double spacing_;
+  Chains& chains_;
+};
+
+std::size_t index_of(const std::vector<VertexId>& ascending_ids, VertexId v) {
+  return static_cast<std::size_t>(std::lower_bound(ascending_ids.begin(), ascending_ids.end(), v) -
+                                  ascending_ids.begin());
+}
+
+class ChainSitePlacer {
+ public:
+  ChainSitePlacer(const SurfaceInput& input, const Chains& chains)
+      : input_(input), chains_(chains) {}
+
+  ChainSites run(double spacing) {
+    result_.label.assign(chains_.vertices.size(), no_id);
+    for (const VertexId v : chains_.corners) {
+      result_.sites.push_back(input_.fine.positions[v]);
+      label_of(v) = static_cast<RegionId>(result_.sites.size() - 1);
+    }
+    for (const Chain& chain : chains_.chains) add_chain(chain, chain.intervals(spacing));
+    return std::move(result_);
+  }
+
+ private:
+  RegionId& label_of(VertexId v) { return result_.label[index_of(chains_.vertices, v)]; }
+
+  [[nodiscard]] RegionId corner_site(VertexId v) const {
+    return static_cast<RegionId>(index_of(chains_.corners, v));
+  }
+
+  void add_chain(const Chain& chain, std::size_t intervals) {
+    std::vector<std::size_t> place = even_places(chain, intervals);
+    const bool is_even = has_all_places(place, intervals);
+    if (!is_even) place = places_at_vertices(chain, intervals);
+    std::vector<RegionId> site(intervals + 1);
+    for (std::size_t i = 0; i <= intervals; ++i) {
+      if ((i == 0 || i == intervals) && !chain.is_loop) {
+        site[i] = corner_site(i == 0 ? chain.vertices.front() : chain.vertices.back());
+      } else if (i == intervals) {
+        site[i] = site[0];
+      } else {
+        site[i] = static_cast<RegionId>(result_.sites.size());
+        const auto at = std::find(place.begin(), place.end(), i) - place.begin();
+        const double even =
+            chain.length() * static_cast<double>(i) / static_cast<double>(intervals);
+        result_.sites.push_back(
+            is_even ? point_at(input_.fine, chain, even)
+                    : input_.fine.positions[chain.vertices[static_cast<std::size_t>(at)]]);
+      }
+    }
+    const std::size_t last = chain.vertices.size() - 1;
+    for (std::size_t i = chain.is_loop ? 0 : 1; i < last; ++i) {
+      label_of(chain.vertices[i]) = site[place[i]];
+    }
+  }
+
+  // Per vertex of a chain: the nearest of so many even places.
+  static std::vector<std::size_t> even_places(const Chain& chain, std::size_t intervals) {
+    std::vector<std::size_t> place;
+    const double step = chain.length() / static_cast<double>(intervals);
+    for (const double arc : chain.arc) {
+      const std::size_t nearest = step > 0 ? round_to_whole(arc / step) : 0;
+      place.push_back(std::min(nearest, intervals));
+    }
+    return place;
+  }
+
+  static bool has_all_places(const std::vector<std::size_t>& place, std::size_t intervals) {
+    for (std::size_t i = 1; i < intervals; ++i) {
+      if (std::find(place.begin(), place.end(), i) == place.end()) return false;
+    }
+    return true;
+  }
+
+  // Where edges are longer than the spacing: sites on vertices, counted instead of measured.
+  static std::vector<std::size_t> places_at_vertices(const Chain& chain,
+                                                     std::size_t intervals) {
+    std::vector<std::size_t> place;
+    const std::size_t edges = chain.vertices.size() - 1;
+    for (std::size_t i = 0; i <= edges; ++i) place.push_back(i * intervals / edges);
+    return place;
+  }
+
+  const SurfaceInput& input_;
+  const Chains& chains_;
+  ChainSites result_;
+};
+
+// Per part: whether it has room for sites beside a pinhole.
+std::vector<std::uint8_t> find_roomy_parts(const SurfaceInput& input, double spacing) {
+  constexpr double room = 8;  // square spacings
+  std::vector<double> area(input.parts, 0);
+  for (TriangleId t = 0; t < input.fine.triangle_count(); ++t) {
+    area[input.part[input.fine.triangles[t][0]]] += input.fine.area[t];
+  }
+  std::vector<std::uint8_t> is_roomy;
+  is_roomy.reserve(area.size());
+  for (const double a : area) is_roomy.push_back(a > room * spacing * spacing ? 1 : 0);
+  return is_roomy;
+}
+
+}  // namespace
+
+std::size_t Chain::intervals(double spacing) const {
+  return intervals_of(*this, of_chords, spacing);
+}
+
+Chains find_chains(const SurfaceInput& input, double spacing, bool may_have_pinholes) {
+  Chains chains;
+  std::vector<Edge> edges = input.feature_edges;
+  edges.insert(edges.end(), input.boundary_edges.begin(), input.boundary_edges.end());
+  const Network whole(edges, input.fixed_vertices);
+  edges = input.feature_edges;
+  const std::vector<std::uint8_t> is_roomy = find_roomy_parts(input, spacing);
+  for (std::vector<VertexId>& loop : Network(input.boundary_edges, {}).take_loops()) {
+    chains.loops.push_back(loop.front());
+    const bool has_node =
+        std::any_of(loop.begin(), loop.end(), [&](VertexId v) { return whole.is_node(v); });
+    if (may_have_pinholes && !has_node && is_roomy[input.part[loop.front()]] != 0 &&
+        Path(input.fine, loop, true).is_pinhole(spacing)) {
+      chains.pinholes.push_back(std::move(loop));
+    } else {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        edges.push_back(ascending(loop[i], loop[(i + 1) % loop.size()]));
+      }
+    }
+  }
+  for (const Edge& e : edges) chains.vertices.insert(chains.vertices.end(), e.begin(), e.end());
+  Network network(std::move(edges), input.fixed_vertices);
+  chains.corners = network.nodes();
+  chains.vertices.insert(chains.vertices.end(), chains.corners.begin(), chains.corners.end());
+  ChainCutter cutter(input.fine, spacing, chains);
+  for (const auto& path : network.take_paths()) cutter.add_path(path);
+  for (const auto& loop : network.take_loops()) cutter.add_loop(loop);
+  cutter.count_intervals();
+  sort_and_deduplicate(chains.corners);
+  sort_and_deduplicate(chains.vertices);
+  return chains;
+}
+
+ChainSites place_chain_sites(const SurfaceInput& input, const Chains& chains, double spacing) {
+  return ChainSitePlacer(input, chains).run(spacing);
+}
+
+std::vector<std::array<RegionId, 2>> neighbours_on_chains(const Chains& chains,
+                                                          std::span<const RegionId> label) {
+  std::vector<std::array<RegionId, 2>> pairs;
+  for (const Chain& chain : chains.chains) {
+    RegionId before = no_id;
+    for (const VertexId v : chain.vertices) {
+      const RegionId r = label[index_of(chains.vertices, v)];
+      if (before != no_id && r != before) pairs.push_back(ascending(before, r));
+      before = r;
+    }
+  }
+  sort_and_deduplicate(pairs);
+  return pairs;
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/surface/surface_input.h"
+
+namespace geolloyd {
+
+/// A piece of the boundary or of a feature between two corners, or a loop without corners. Sites
+/// on it are evenly spaced and stay where they are.
+struct Chain {
+  std::vector<VertexId> vertices;  ///< from end to end; a loop ends where it begins
+  std::vector<double> arc;         ///< per vertex: the length up to it, unit frame
+  double of_chords = 0;            ///< the length of chords about a spacing of the last level long
+  std::size_t least_intervals = 1;
+  bool is_loop = false;  ///< one end, which is no corner
+
+  [[nodiscard]] double length() const { return arc.back(); }
+  /// Intervals with chords about `spacing` long, and no more than it has edges.
+  [[nodiscard]] std::size_t intervals(double spacing) const;
+};
+
+/// Boundary, features and fixed vertices of a surface.
+struct Chains {
+  std::vector<Chain> chains;
+  std::vector<VertexId> corners;                ///< ends of chains and fixed vertices, ascending
+  std::vector<VertexId> vertices;               ///< on chains, and corners; each once, ascending
+  std::vector<std::vector<VertexId>> pinholes;  ///< loops too short for sites of their own
+  std::vector<VertexId> loops;                  ///< a vertex of each boundary loop, pinholes or not
+};
+
+/// A corner is where other than two edges of boundary and features meet, where a vertex is fixed,
+/// and where a chain turns by more than 50 degrees within half a spacing to either side. A boundary
+/// loop is a pinhole, if `may_have_pinholes`, where it is short, two of three even places on it are
+/// less than 0.6 spacings apart, no feature or fixed vertex touches it, and its part has room for
+/// some sites beside it.
+Chains find_chains(const SurfaceInput& input, double spacing, bool may_have_pinholes);
+
+/// First the corners, then the sites of each chain from end to end. Each has the label of a vertex,
+/// at least.
+struct ChainSites {
+  std::vector<Vec3> sites;
+  std::vector<RegionId> label;  ///< per vertex on chains: the nearest site along the chain
+};
+
+ChainSites place_chain_sites(const SurfaceInput& input, const Chains& chains, double spacing);
+
+/// Pairs of sites that are neighbours on a chain: ascending within, and each once.
+std::vector<std::array<RegionId, 2>> neighbours_on_chains(const Chains& chains,
+                                                          std::span<const RegionId> label);
+
+}  // namespace geolloyd
