@@ -47,8 +47,7 @@ class Path {
     for (std::size_t i = first; i < last; ++i) turn[i] = cosine_of_turn(i, reach);
     std::vector<std::size_t> found;
     for (std::size_t i = first; i < last; ++i) {
-      constexpr double sharp_cosine = 0.6427876096865394;  // of 50 degrees
-      if (turn[i] < sharp_cosine && is_sharpest(turn, i, reach)) found.push_back(i);
+      if (is_corner(turn[i], i, reach) && is_sharpest(turn, i, reach)) found.push_back(i);
     }
     return found;
   }
@@ -94,6 +93,17 @@ class Path {
     const Vec3 in = normalized(position(i) - point_at(i, -reach));
     const Vec3 out = normalized(point_at(i, reach) - position(i));
     return dot(in, out);
+  }
+
+  // Where the sides are not straight, a smaller turn may be that of a smooth curve, or of a jag.
+  [[nodiscard]] bool is_corner(double cosine, std::size_t i, double reach) const {
+    constexpr double sharp_cosine = 0.6427876096865394;  // of 50 degrees
+    constexpr double blunt_cosine = 0.8660254037844386;  // of 30 degrees
+    if (cosine >= blunt_cosine) return false;
+    if (cosine < sharp_cosine) return true;
+    constexpr double straight = 0.995;
+    return norm(point_at(i, reach) - position(i)) > straight * reach &&
+           norm(point_at(i, -reach) - position(i)) > straight * reach;
   }
 
   // Of equals, the first one.
@@ -269,6 +279,7 @@ class ChainCutter {
 
   // No two edges of a remesh join the same vertices.
   void count_intervals() {
+    widen_acute_corners();
     std::vector<Edge> ends;
     for (const Chain& chain : chains_.chains) ends.push_back(ends_of(chain));
     std::sort(ends.begin(), ends.end());
@@ -281,6 +292,41 @@ class ChainCutter {
   }
 
  private:
+  // An end of a chain, as its corner sees it.
+  struct End {
+    VertexId corner;
+    Vec3 direction;
+    double* step;
+  };
+
+  // Of an angle t, two chains with even sites would span triangles whose smallest angle is less
+  // than t: those that the first sites, at a distance of 1, make with the second at a distance
+  // of r, if r > 2 cos t.
+  void widen_acute_corners() {
+    std::vector<End> ends;
+    for (Chain& chain : chains_.chains) {
+      if (chain.is_loop) continue;
+      const std::size_t last = chain.vertices.size() - 1;
+      ends.push_back({chain.vertices[0], direction(chain, 0, 1), &chain.first_step});
+      ends.push_back({chain.vertices[last], direction(chain, last, last - 1), &chain.last_step});
+    }
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const End& a, const End& b) { return a.corner < b.corner; });
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      for (std::size_t j = i + 1; j < ends.size() && ends[j].corner == ends[i].corner; ++j) {
+        constexpr double acute_cosine = 0.8;  // of 37 degrees
+        const double cosine = dot(ends[i].direction, ends[j].direction);
+        if (cosine < acute_cosine) continue;
+        for (double* step : {ends[i].step, ends[j].step}) {
+          *step = std::max(*step, 1 / (2 * cosine - 1));
+        }
+      }
+    }
+  }
+  [[nodiscard]] Vec3 direction(const Chain& chain, std::size_t from, std::size_t to) const {
+    return normalized(mesh_.positions[chain.vertices[to]] - mesh_.positions[chain.vertices[from]]);
+  }
+
   static Edge ends_of(const Chain& chain) {
     return ascending(chain.vertices.front(), chain.vertices.back());
   }
@@ -330,8 +376,7 @@ class ChainSitePlacer {
       } else {
         site[i] = static_cast<RegionId>(result_.sites.size());
         const auto at = std::find(place.begin(), place.end(), i) - place.begin();
-        const double even =
-            chain.length() * static_cast<double>(i) / static_cast<double>(intervals);
+        const double even = chain.place(i, intervals);
         result_.sites.push_back(
             is_even ? point_at(input_.fine, chain, even)
                     : input_.fine.positions[chain.vertices[static_cast<std::size_t>(at)]]);
@@ -346,10 +391,13 @@ class ChainSitePlacer {
   // Per vertex of a chain: the nearest of so many even places.
   static std::vector<std::size_t> even_places(const Chain& chain, std::size_t intervals) {
     std::vector<std::size_t> place;
-    const double step = chain.length() / static_cast<double>(intervals);
+    std::size_t nearest = 0;
     for (const double arc : chain.arc) {
-      const std::size_t nearest = step > 0 ? round_to_whole(arc / step) : 0;
-      place.push_back(std::min(nearest, intervals));
+      while (nearest < intervals && chain.length() > 0 &&
+             2 * arc >= chain.place(nearest, intervals) + chain.place(nearest + 1, intervals)) {
+        ++nearest;
+      }
+      place.push_back(nearest);
     }
     return place;
   }
@@ -389,6 +437,13 @@ std::vector<std::uint8_t> find_roomy_parts(const SurfaceInput& input, double spa
 }
 
 }  // namespace
+
+double Chain::place(std::size_t i, std::size_t intervals) const {
+  if (i == 0) return 0;
+  if (i >= intervals) return length();
+  const double steps = static_cast<double>(intervals) - 2 + first_step + last_step;
+  return length() * (first_step + static_cast<double>(i - 1)) / steps;
+}
 
 std::size_t Chain::intervals(double spacing) const {
   return intervals_of(*this, of_chords, spacing);

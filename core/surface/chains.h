@@ -16,9 +16,13 @@ struct Chain {
   std::vector<double> arc;         ///< per vertex: the length up to it, unit frame
   double of_chords = 0;            ///< the length of chords about a spacing of the last level long
   std::size_t least_intervals = 1;
+  double first_step = 1;  ///< the first interval, in ordinary ones; longer beside an acute corner
+  double last_step = 1;
   bool is_loop = false;  ///< one end, which is no corner
 
   [[nodiscard]] double length() const { return arc.back(); }
+  /// Where site i of so many intervals is.
+  [[nodiscard]] double place(std::size_t i, std::size_t intervals) const;
   /// Intervals with chords about `spacing` long, and no more than it has edges.
   [[nodiscard]] std::size_t intervals(double spacing) const;
 };
@@ -33,7 +37,8 @@ struct Chains {
 };
 
 /// A corner is where other than two edges of boundary and features meet, where a vertex is fixed,
-/// and where a chain turns by more than 50 degrees within half a spacing to either side. A boundary
+/// and where a chain turns by more than 50 degrees within half a spacing to either side, or by 30
+/// between straight sides. A boundary
 /// loop is a pinhole, if `may_have_pinholes`, where it is short, two of three even places on it are
 /// less than 0.6 spacings apart, no feature or fixed vertex touches it, and its part has room for
 /// some sites beside it.

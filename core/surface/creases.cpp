@@ -23,6 +23,7 @@ struct CreaseRule {
   double strong_cosine;  // every piece has an edge as sharp
   double weak_cosine;    // every edge is as sharp
   double least_length;   // of a piece, and of a chain with a loose end
+  std::size_t least_edges;
 };
 
 class CreaseFinder {
@@ -79,6 +80,7 @@ class CreaseFinder {
   // A connected set of creases.
   struct Component {
     double length = 0;
+    std::size_t edges = 0;
     double strong = 0;  // length of those that are sharp enough to begin one
     double flat = 0;    // length of other edges at its vertices
     double bent = 0;
@@ -97,6 +99,7 @@ class CreaseFinder {
     for (const EdgeId e : creases_) {
       Component& of = component[sets.find(edges_.ends[e][0])];
       of.length += length(e);
+      ++of.edges;
       if (is_as_sharp(e, rule_.strong_cosine)) of.strong += length(e);
     }
     if (must_stand_out) {
@@ -111,9 +114,10 @@ class CreaseFinder {
     }
     std::erase_if(creases_, [&](EdgeId e) {
       const Component& of = component[sets.find(edges_.ends[e][0])];
-      constexpr double sharp_share = 0.8;
+      constexpr double sharp_share = 0.75;
       constexpr double bent_share = 0.25;
       return !(of.strong > 0) || of.length < rule_.least_length ||
+             of.edges < rule_.least_edges ||
              (must_stand_out && (of.strong < sharp_share * of.length ||
                                  of.bent > bent_share * (of.bent + of.flat)));
     });
@@ -146,7 +150,7 @@ class LooseEnds {
   }
 
   template <class Length>
-  void cut(const std::vector<EdgeId>& creases, double least_length, Length&& length) {
+  void cut(const std::vector<EdgeId>& creases, const CreaseRule& rule, Length&& length) {
     std::vector<VertexId> ends;
     for (const auto& [v, i] : at_) {
       if (is_loose(v)) ends.push_back(v);
@@ -163,8 +167,8 @@ class LooseEnds {
         sum += length(creases[i]);
         const auto& [a, b] = edges_.ends[creases[i]];
         v = v == a ? b : a;
-      } while (degree(v) == 2 && sum < least_length);
-      if (sum >= least_length) continue;
+      } while (degree(v) == 2 && is_short(sum, chain.size(), rule));
+      if (!is_short(sum, chain.size(), rule)) continue;
       for (const std::uint32_t i : chain) is_cut_[i] = 1;
       ends.push_back(v);
     }
@@ -173,6 +177,10 @@ class LooseEnds {
   [[nodiscard]] bool is_cut(std::size_t i) const { return is_cut_[i] != 0; }
 
  private:
+  static bool is_short(double length, std::size_t edges, const CreaseRule& rule) {
+    return length < rule.least_length || edges < rule.least_edges;
+  }
+
   template <class Visit>
   void for_each_at(VertexId v, Visit&& visit) const {
     auto at = std::lower_bound(at_.begin(), at_.end(), std::pair<VertexId, std::uint32_t>{v, 0});
@@ -202,7 +210,7 @@ class LooseEnds {
 
 void CreaseFinder::cut_loose_ends() {
   LooseEnds ends(mesh_, edges_, creases_);
-  ends.cut(creases_, rule_.least_length, [&](EdgeId e) { return length(e); });
+  ends.cut(creases_, rule_, [&](EdgeId e) { return length(e); });
   std::vector<EdgeId> left;
   for (std::size_t i = 0; i < creases_.size(); ++i) {
     if (!ends.is_cut(i)) left.push_back(creases_[i]);
@@ -215,7 +223,7 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,
                                  Executor& executor) {
   if (options.creases == Creases::none) return {};
   if (options.creases == Creases::automatic) {
-    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing};
+    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing, 6};
     return CreaseFinder(mesh, edges, rule, executor).run(true);
   }
   if (!(options.crease_angle > 0 && options.crease_angle <= 180)) {
@@ -223,7 +231,7 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,
                        ": an angle is above 0 and up to 180 degrees");
   }
   const double cosine = cosine_of_degrees(options.crease_angle);
-  return CreaseFinder(mesh, edges, {cosine, cosine, 2 * spacing}, executor).run(false);
+  return CreaseFinder(mesh, edges, {cosine, cosine, 2 * spacing, 1}, executor).run(false);
 }
 
 void add_given_edges(const MeshEdges& edges, const FeatureOptions& options,

@@ -151,6 +151,11 @@ SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
   double area = 0;
   for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area += a;
   if (!(area > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
+  for (const VertexId v : options.features.fixed_vertices) {
+    if (v >= mesh.vertex_count()) {
+      throw InvalidInput("fixed vertex " + std::to_string(v) + ": the mesh has no such vertex");
+    }
+  }
   const double spacing = spacing_of(area, options.vertex_count);
   const std::vector<TrianglePair> features =
       find_features(mesh, edges, options.features, spacing, executor);

@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_measure.h"
+#include "core/mesh/mesh_quality.h"
+#include "core/shapes/shapes.h"
+#include "core/surface/creases.h"
+#include "geolloyd/errors.h"
+#include "geolloyd/remesh.h"
+#include "tests/support/sharp_solids.h"
+
+namespace geolloyd {
+namespace {
+
+SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, FeatureOptions features = {}) {
+  SurfaceRemeshOptions options;
+  options.vertex_count = vertices;
+  options.features = std::move(features);
+  return remesh_surface(mesh, options);
+}
+
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (const double a : triangle_areas(mesh, {})) area += a;
+  return area;
+}
+
+double feature_length(const SurfaceRemesh& remesh) {
+  double length = 0;
+  for (const auto& [a, b] : remesh.feature_edges) {
+    length += norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]);
+  }
+  return length;
+}
+
+bool has_vertex_at(const Mesh& mesh, const Vec3& p) {
+  return std::find(mesh.positions.begin(), mesh.positions.end(), p) != mesh.positions.end();
+}
+
+double smallest_angle(const Mesh& mesh) {
+  return measure_quality(mesh, find_edges(mesh)).smallest_angle;
+}
+
+// Of a solid with flat faces: no triangle cuts an edge off, because none is off its face.
+void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
+  const SurfaceRemesh remesh = remesh_of(solid, vertices);
+  EXPECT_TRUE(remesh.has_input_topology()) << vertices;
+  EXPECT_NEAR(area_of(remesh.mesh), area_of(solid), 1e-9) << vertices;
+  EXPECT_NEAR(feature_length(remesh), length, 1e-9) << vertices;
+  const std::size_t least = remesh.chain_vertices;
+  EXPECT_EQ(remesh.mesh.vertex_count(), std::max(vertices, least)) << vertices;
+}
+
+TEST(Features, OfACubeAreExact) {
+  for (const std::uint32_t f : {1U, 3U, 10U}) {
+    const Mesh cube = sharp_cube(f);
+    for (const std::size_t vertices : {50U, 200U, 1000U}) expect_exact(cube, 12, vertices);
+  }
+  const SurfaceRemesh remesh = remesh_of(sharp_cube(2), 300);
+  for (const Vec3& corner : flat_box(1).positions) EXPECT_TRUE(has_vertex_at(remesh.mesh, corner));
+  EXPECT_GE(smallest_angle(remesh.mesh), 28);
+}
+
+TEST(Features, OfACubeOfFewVertices) {
+  const SurfaceRemesh remesh = remesh_of(sharp_cube(4), 8);
+  EXPECT_TRUE(remesh.has_input_topology());
+  EXPECT_NEAR(area_of(remesh.mesh), 6, 1e-9);
+}
+
+TEST(Features, OfPrismsAreExact) {
+  for (const std::uint32_t sides : {3U, 4U, 5U, 6U}) {
+    const double side = 2 * std::sin(std::numbers::pi / sides);
+    for (const std::size_t vertices : {100U, 600U}) {
+      expect_exact(sharp_prism(sides), sides * (2 * side + 2), vertices);
+    }
+  }
+}
+
+// The two rims, and nothing on the smooth side. Chords of the rims are shorter than the rims.
+TEST(Features, OfACylinderWithCaps) {
+  const Mesh cylinder = sharp_prism(200);
+  for (const std::size_t vertices : {200U, 1000U}) {
+    const SurfaceRemesh remesh = remesh_of(cylinder, vertices);
+    EXPECT_TRUE(remesh.has_input_topology());
+    EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
+    EXPECT_NEAR(feature_length(remesh), 4 * std::numbers::pi, 0.1);
+    for (std::size_t v = 0; v < remesh.chain_vertices; ++v) {
+      const Vec3& p = remesh.mesh.positions[v];
+      EXPECT_NEAR(std::abs(p.z()), 1, 1e-12);
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, 2e-4);
+    }
+  }
+}
+
+TEST(Features, OfACone) {
+  const SurfaceRemesh remesh = remesh_of(sharp_cone(100), 400);
+  EXPECT_TRUE(remesh.has_input_topology());
+  EXPECT_NEAR(feature_length(remesh), 2 * std::numbers::pi, 0.05);
+  for (const auto& edge : remesh.feature_edges) {
+    for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 1e-12);
+  }
+}
+
+// Faces 10 degrees apart have triangles of 10 degrees at their ends, and no smaller ones.
+TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
+  for (const double degrees : {10.0, 30.0}) {
+    const Mesh wedge = sharp_wedge(degrees);
+    for (const std::size_t vertices : {150U, 600U}) {
+      const SurfaceRemesh remesh = remesh_of(wedge, vertices);
+      EXPECT_TRUE(remesh.has_input_topology());
+      EXPECT_NEAR(area_of(remesh.mesh), area_of(wedge), 1e-9);
+      EXPECT_GE(smallest_angle(remesh.mesh), degrees - 1e-6) << vertices;
+    }
+  }
+}
+
+TEST(Features, AreOffWhereAskedFor) {
+  FeatureOptions none;
+  none.creases = Creases::none;
+  const SurfaceRemesh remesh = remesh_of(sharp_cube(5), 300, none);
+  EXPECT_EQ(remesh.chain_vertices, 0U);
+  EXPECT_TRUE(remesh.feature_edges.empty());
+}
+
+// An octagonal prism turns by 45 degrees at its upright edges.
+TEST(Features, AreFoundFromAnAngleOn) {
+  const Mesh prism = sharp_prism(8);
+  FeatureOptions options;
+  options.creases = Creases::by_angle;
+  const double rim = 8 * 2 * std::sin(std::numbers::pi / 8);
+  options.crease_angle = 40;
+  EXPECT_NEAR(feature_length(remesh_of(prism, 300, options)), 2 * rim + 16, 1e-9);
+  options.crease_angle = 50;
+  EXPECT_NEAR(feature_length(remesh_of(prism, 300, options)), 2 * rim, 1e-9);
+  options.crease_angle = 100;
+  EXPECT_EQ(feature_length(remesh_of(prism, 300, options)), 0);
+}
+
+Mesh with_noise(Mesh mesh, double edges) {
+  double sum = 0;
+  const MeshEdges found = find_edges(mesh);
+  for (const auto& [a, b] : found.ends) sum += norm(mesh.positions[a] - mesh.positions[b]);
+  const double reach = edges * sum / static_cast<double>(found.size());
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double unit = random_unit(1, 3 * v + static_cast<std::uint64_t>(axis));
+      mesh.positions[v][axis] += reach * (2 * unit - 1);
+    }
+  }
+  return mesh;
+}
+
+TEST(Features, AreNotFoundInNoise) {
+  const Mesh body = creature(20'000, 1);
+  const double area = area_of(body);
+  for (const double noise : {0.0, 0.1, 0.25, 0.5}) {
+    const Mesh rough = with_noise(body, noise);
+    const MeshEdges edges = find_edges(rough);
+    for (const double vertices : {100.0, 2000.0, 20'000.0, 200'000.0}) {
+      const double spacing = std::sqrt(2 * area / (std::sqrt(3.0) * vertices));
+      EXPECT_TRUE(find_features(rough, edges, {}, spacing).empty()) << noise << " " << vertices;
+    }
+  }
+}
+
+// A loose edge of a crease that ends on a smooth surface is left out where it is short.
+TEST(Features, OfACreaseThatFades) {
+  Mesh plane;
+  constexpr VertexId n = 20;
+  for (VertexId y = 0; y <= n; ++y) {
+    for (VertexId x = 0; x <= n; ++x) {
+      const double fold = std::max(0.0, 1 - y / 10.0);  // ends in the middle
+      plane.positions.emplace_back(x, y, -1.5 * fold * std::abs(x - 10.0));
+      if (x == n || y == n) continue;
+      const VertexId at = y * (n + 1) + x;
+      plane.triangles.push_back({at, at + 1, at + n + 2});
+      plane.triangles.push_back({at, at + n + 2, at + n + 1});
+    }
+  }
+  const MeshEdges edges = find_edges(plane);
+  EXPECT_FALSE(find_features(plane, edges, {}, 0.5).empty());
+  EXPECT_TRUE(find_features(plane, edges, {}, 5).empty());
+}
+
+// On a sphere, which has no creases: its equator.
+TEST(Features, AreBordersBetweenGroups) {
+  const Mesh sphere = icosphere(5000);
+  FeatureOptions options;
+  for (const Triangle& t : sphere.triangles) {
+    double height = 0;
+    for (const VertexId v : t) height += sphere.positions[v].z();
+    options.groups.push_back(height > 0 ? 1 : 0);
+  }
+  const SurfaceRemesh remesh = remesh_of(sphere, 400, options);
+  EXPECT_TRUE(remesh.has_input_topology());
+  EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
+  EXPECT_NEAR(feature_length(remesh), 2 * std::numbers::pi, 0.8);
+  for (const auto& edge : remesh.feature_edges) {
+    for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 0.06);
+  }
+}
+
+TEST(Features, AreEdgesThatAreGiven) {
+  const Mesh plane = irregular_plane(800, 1);
+  FeatureOptions options;
+  for (VertexId v = 10; v < 16; ++v) options.edges.push_back({21 * (v + 1) + 10, 21 * v + 10});
+  const SurfaceRemesh remesh = remesh_of(plane, 500, options);
+  EXPECT_TRUE(remesh.has_input_topology());
+  double length = 0;
+  for (const auto& [a, b] : options.edges) {
+    length += norm(plane.positions[a] - plane.positions[b]);
+  }
+  EXPECT_NEAR(feature_length(remesh), length, 0.1 * length);
+  EXPECT_TRUE(has_vertex_at(remesh.mesh, plane.positions[21 * 10 + 10]));
+  EXPECT_TRUE(has_vertex_at(remesh.mesh, plane.positions[21 * 16 + 10]));
+}
+
+TEST(Features, MustBeOfTheMesh) {
+  const Mesh cube = sharp_cube(2);
+  FeatureOptions options;
+  options.edges = {{0, 7}};
+  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  options.edges = {{0, 1'000'000}};
+  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  options.edges = {};
+  options.groups = {1, 2, 3};
+  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  options.groups = {};
+  options.fixed_vertices = {1'000'000};
+  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  options.fixed_vertices = {};
+  options.creases = Creases::by_angle;
+  for (const double angle : {0.0, -1.0, 181.0, std::nan("")}) {
+    options.crease_angle = angle;
+    EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput) << angle;
+  }
+}
+
+TEST(FixedVertices, AreVerticesOfTheRemesh) {
+  for (const Mesh& mesh : {creature(5000, 1), irregular_plane(2000, 1), sharp_cube(6)}) {
+    FeatureOptions options;
+    for (VertexId v = 3; v < mesh.vertex_count(); v += 211) options.fixed_vertices.push_back(v);
+    options.fixed_vertices.push_back(options.fixed_vertices.front());  // twice
+    const SurfaceRemesh remesh = remesh_of(mesh, 500, options);
+    EXPECT_TRUE(remesh.has_input_topology());
+    EXPECT_EQ(remesh.mesh.vertex_count(), 500U);
+    for (const VertexId v : options.fixed_vertices) {
+      EXPECT_TRUE(has_vertex_at(remesh.mesh, mesh.positions[v])) << v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd
