@@ -21,7 +21,7 @@ namespace {
 using creature_blocks::half_width;
 using creature_blocks::height;
 using creature_blocks::is_solid;
-using creature_blocks::length;
+using creature_blocks::full_length;
 using creature_blocks::QuadMesh;
 
 // Cubic B-spline field of the blocks, blurred once more so that no step between blocks shows: 1
@@ -115,7 +115,7 @@ class Field {
   }
 
   static constexpr int margin = 3;
-  static constexpr int nx = length + 2 * margin;
+  static constexpr int nx = full_length + 2 * margin;
   static constexpr int ny = 2 * half_width + 2 * margin;
   static constexpr int nz = height + 2 * margin;
   std::vector<double> value_;
@@ -215,7 +215,7 @@ Mesh creature(std::size_t triangles, std::uint64_t random_seed) {
   Mesh mesh = refine(cage, smallest_frequency(triangles, cage.triangle_count()));
   const Posture posture(random_seed);
   for (Vec3& p : mesh.positions) {
-    p = rounded_to_float(posture.apply(field.pull_to_skin(p, 4)) / length);
+    p = rounded_to_float(posture.apply(field.pull_to_skin(p, 4)) / full_length);
   }
   return mesh;
 }

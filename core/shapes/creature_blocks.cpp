@@ -38,7 +38,7 @@ class BlockSurface {
   BlockSurface() {
     for (int z = 0; z < height; ++z) {
       for (int y = -half_width; y < half_width; ++y) {
-        for (int x = 0; x < length; ++x) {
+        for (int x = 0; x < full_length; ++x) {
           if (is_solid(x, y, z)) add_faces({x, y, z});
         }
       }
@@ -77,7 +77,7 @@ class BlockSurface {
 
   VertexId vertex_at(const Cell& at) {
     const auto [x, y, z] = at;
-    const int i = (z * (2 * half_width + 1) + y + half_width) * (length + 1) + x;
+    const int i = (z * (2 * half_width + 1) + y + half_width) * (full_length + 1) + x;
     VertexId& id = ids_[static_cast<std::size_t>(i)];
     if (id == no_id) {
       id = static_cast<VertexId>(surface_.positions.size());
@@ -88,16 +88,16 @@ class BlockSurface {
 
   QuadMesh surface_;
   std::vector<VertexId> ids_ =
-      std::vector<VertexId>(std::size_t{length + 1} * (2 * half_width + 1) * (height + 1), no_id);
+      std::vector<VertexId>(std::size_t{full_length + 1} * (2 * half_width + 1) * (height + 1), no_id);
 };
 
 }  // namespace
 
 bool is_solid(int x, int y, int z) {
   const int slice = y < 0 ? -1 - y : y;
-  if (x < 0 || x >= length || slice >= half_width || z < 0 || z >= height) return false;
+  if (x < 0 || x >= full_length || slice >= half_width || z < 0 || z >= height) return false;
   const std::string_view row = slices[static_cast<std::size_t>(height - 1 - z)];
-  const int column = slice * (length + 1) + x;
+  const int column = slice * (full_length + 1) + x;
   return row[static_cast<std::size_t>(column)] == '#';
 }
 

@@ -9,7 +9,7 @@ namespace geolloyd::creature_blocks {
 
 // The animal of creature() in blocks: x forward, y to the left, z up; block (x, y, z) fills the
 // unit cube from that corner on. The mirror plane is y = 0.
-inline constexpr int length = 28;
+inline constexpr int full_length = 28;
 inline constexpr int half_width = 3;
 inline constexpr int height = 22;
 

@@ -148,6 +148,7 @@ class LevelByLevel {
 RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer,
                         Executor& executor) {
   const SiteBudgeter budgeter(surface);
+  relaxer.set_wanted_sites(count);
   return LevelByLevel(surface, plan_levels(budgeter, count), relaxer, executor).run();
 }
 

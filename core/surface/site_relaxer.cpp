@@ -59,7 +59,7 @@ bool SiteRelaxer::record(const LevelMesh& level, std::size_t sites, std::size_t 
   steps_.push_back({sites, level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
   if (options_.progress) {
     const double ratio = energy / energy_of_hexagonal_tiling(surface_area_, sites);
-    is_interrupted_ = !options_.progress({sites, options_.vertex_count, iteration, ratio});
+    is_interrupted_ = !options_.progress({sites, wanted_sites_, iteration, ratio});
   }
   return !is_interrupted_;
 }

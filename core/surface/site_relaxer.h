@@ -27,6 +27,8 @@ class SiteRelaxer {
   SiteRelaxer(const MakeSurfaceEngine& make_engine, const SurfaceRemeshOptions& options,
               double surface_area, double to_mesh_units, Executor& executor);
 
+  /// What progress is told.
+  void set_wanted_sites(std::size_t count) { wanted_sites_ = count; }
   /// Leaves each cell in one piece, then sweeps.
   void sweep(const LevelMesh& level, LabelledSites& state);
   /// Moves free sites downhill; after an interrupt, only sweeps. Returns the energy.
@@ -54,6 +56,7 @@ class SiteRelaxer {
   std::vector<SurfaceStep> steps_;
   std::uint64_t fingerprint_ = 0;
   bool is_interrupted_ = false;
+  std::size_t wanted_sites_ = 0;
 };
 
 /// Energy of a hexagonal tiling of the plane with as much area and as many cells: that of a regular

@@ -68,10 +68,14 @@ class SurfaceRemesher {
 
   // Where there is no room for all pinholes among triangles of an ordinary size, they get vertices.
   SurfaceRemesh run() {
-    const double spacing = spacing_of(input_.fine.whole_area, options_.vertex_count);
+    const bool has_count = options_.vertex_count > 0;
+    const double spacing = has_count ? spacing_of(input_.fine.whole_area, options_.vertex_count)
+                                     : options_.edge_length * input_.frame.scale;
     for (const bool may_have_pinholes : {true, false}) {
       surface_.emplace(input_, spacing, may_have_pinholes, executor_);
-      RestingSites resting = rest_sites(*surface_, options_.vertex_count, relaxer_, executor_);
+      count_ = has_count ? options_.vertex_count
+                         : SiteBudgeter(*surface_).at_spacing(spacing).total();
+      RestingSites resting = rest_sites(*surface_, count_, relaxer_, executor_);
       dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
       if (open_pinholes(*surface_, dualised_.state.sites, dualised_.dual.triangles)) break;
     }
@@ -82,7 +86,7 @@ class SurfaceRemesher {
   SurfaceRemesh remesh() {
     const SurfaceSites& sites = dualised_.state.sites;
     SurfaceRemesh result;
-    result.vertices_asked_for = options_.vertex_count;
+    result.vertices_asked_for = count_;
     result.chain_vertices = sites.on_chains;
     result.pinholes = surface_->chains.pinholes.size();
     result.interrupted = relaxer_.is_interrupted();
@@ -141,8 +145,22 @@ class SurfaceRemesher {
   SiteRelaxer relaxer_;
   Executor& executor_;
   std::optional<DividedSurface> surface_;
+  std::size_t count_ = 0;
   DualisedSites dualised_;
 };
+
+// Of an edge length: but for what boundary and features change.
+std::size_t about_how_many(double area, const SurfaceRemeshOptions& options) {
+  if (options.vertex_count > 0) return options.vertex_count;
+  constexpr double root_3 = 1.7320508075688772;
+  constexpr double most = 1e9;
+  const double count = 2 * area / (root_3 * options.edge_length * options.edge_length);
+  if (!(count < most)) {
+    throw InvalidInput("edge_length: " + std::to_string(options.edge_length) +
+                       ": so short that the remesh would have more than 1,000,000,000 vertices");
+  }
+  return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+}
 
 // Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
 // features a third of a spacing, so that cells follow them. The limit of vertices is for needles.
@@ -151,20 +169,21 @@ SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
   double area = 0;
   for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area += a;
   if (!(area > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
+  const std::size_t count = about_how_many(area, options);
   for (const VertexId v : options.features.fixed_vertices) {
     if (v >= mesh.vertex_count()) {
       throw InvalidInput("fixed vertex " + std::to_string(v) + ": the mesh has no such vertex");
     }
   }
-  const double spacing = spacing_of(area, options.vertex_count);
+  const double spacing = spacing_of(area, count);
   const std::vector<TrianglePair> features =
       find_features(mesh, edges, options.features, spacing, executor);
   SurfaceInputOptions input;
   input.duplicates = edges.duplicates;
   input.longest_edge = features.empty()
-                           ? 0.6 * std::sqrt(area / static_cast<double>(options.vertex_count))
+                           ? 0.6 * std::sqrt(area / static_cast<double>(count))
                            : 0.35 * spacing;
-  input.vertex_limit = 1'000'000 + 20 * options.vertex_count + 4 * mesh.vertex_count();
+  input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh.vertex_count();
   input.features = features;
   input.fixed_vertices = options.features.fixed_vertices;
   return make_surface_input(mesh, input, executor);
@@ -183,7 +202,15 @@ bool SurfaceRemesh::has_input_topology() const {
 SurfaceRemesh make_surface_remesh(const Mesh& mesh, const MeshEdges& edges,
                                   const SurfaceRemeshOptions& options,
                                   const MakeSurfaceEngine& make_engine, Executor& executor) {
-  if (options.vertex_count < 4) {
+  if (options.edge_length != 0 && options.vertex_count != 0) {
+    throw InvalidInput("vertex_count and edge_length: a remesh has one of them");
+  }
+  if (options.edge_length != 0) {
+    if (!(options.edge_length > 0)) {
+      throw InvalidInput("edge_length: " + std::to_string(options.edge_length) +
+                         ": a length is above 0");
+    }
+  } else if (options.vertex_count < 4) {
     throw InvalidInput("vertex_count: " + std::to_string(options.vertex_count) +
                        ": a remesh has at least 4 vertices");
   }

@@ -101,7 +101,7 @@ TEST_F(Remeshing, ReportHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(told["vertices"], 150);
   EXPECT_EQ(told["triangles"], 300);
   EXPECT_EQ(told["surplus_vertices"], 0);
-  EXPECT_EQ(told["boundary_vertices"], 0);
+  EXPECT_EQ(told["chain_vertices"], 0);
   EXPECT_EQ(told["is_manifold"], true);
   EXPECT_EQ(told["has_input_topology"], true);
   EXPECT_EQ(told["input_is_manifold"], true);

@@ -46,6 +46,15 @@ CLI::Option* byte_count(CLI::Option* option) {
   return option->transform(CLI::Validator(read, ""))->type_name("SIZE");
 }
 
+CLI::Option* positive_number(CLI::Option* option) {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto number = parse_number<double>(text);
+    const bool is_positive = number && std::isfinite(*number) && *number > 0;
+    return is_positive ? "" : "'" + text + "': give a number above 0";
+  };
+  return option->check(CLI::Validator(check, ""));
+}
+
 CLI::Option* time_in_seconds(CLI::Option* option) {
   const auto check = [](const std::string& text) -> std::string {
     const auto number = parse_number<double>(text);

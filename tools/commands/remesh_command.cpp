@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/base/stopwatch.h"
 #include "tools/cli/surface_remesh_arguments.h"
@@ -10,6 +12,7 @@
 #include "tools/report/surface_remesh_output.h"
 #include "tools/run/stages.h"
 #include "tools/run/surface_remesh.h"
+#include "tools/run/tolerance_search.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/progress.h"
@@ -17,20 +20,82 @@
 namespace geolloyd {
 namespace {
 
+// What the command line asks of a remesh, of one mesh.
+class Remesher {
+ public:
+  Remesher(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+           Scheduler& scheduler, ProgressLine& progress)
+      : arguments_(arguments),
+        loaded_(loaded),
+        make_engine_(make_surface_engines(arguments.engine, scheduler)),
+        scheduler_(scheduler),
+        progress_(progress) {
+    options_.features = read_features(arguments.features, loaded);
+  }
+
+  void run(SurfaceRemeshResult& result) {
+    const FinenessArguments& fineness = arguments_.fineness;
+    if (fineness.tolerance > 0) {
+      search(result);
+    } else if (fineness.edge_length > 0) {
+      check_memory(vertices_of_edge_length(loaded_, fineness.edge_length), result);
+      options_.edge_length = fineness.edge_length;
+      result.made = make();
+    } else {
+      check_memory(fineness.vertices, result);
+      options_.vertex_count = fineness.vertices;
+      result.made = make();
+    }
+  }
+
+ private:
+  void search(SurfaceRemeshResult& result) {
+    const FinenessArguments& fineness = arguments_.fineness;
+    const double unit =
+        fineness.is_percentage ? loaded_.input.facts.bounding_diagonal / 100 : 1;
+    const std::size_t most =
+        std::max<std::size_t>(100'000, 4 * loaded_.input.mesh().vertex_count());
+    ToleranceSearch found = search_within(
+        fineness.tolerance * unit, most, loaded_,
+        [&](std::size_t vertices) {
+          check_memory(vertices, result);
+          options_.vertex_count = vertices;
+          return make();
+        },
+        scheduler_, progress_);
+    result.made = std::move(found.best);
+    result.trials = std::move(found.trials);
+  }
+
+  void check_memory(std::size_t vertices, SurfaceRemeshResult& result) {
+    const std::uint64_t bytes = check_remesh_memory(
+        loaded_, vertices,
+        arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
+        scheduler_);
+    result.memory_estimate = std::max(result.memory_estimate, bytes);
+    catch_interrupts();
+  }
+
+  TimedRemesh make() { return time_remesh(loaded_, options_, make_engine_, scheduler_, progress_); }
+
+  const SurfaceRemeshArguments& arguments_;
+  const LoadedInput& loaded_;
+  MakeSurfaceEngine make_engine_;
+  Scheduler& scheduler_;
+  ProgressLine& progress_;
+  SurfaceRemeshOptions options_;
+};
+
 void run_remesh(const SurfaceRemeshArguments& arguments) {
+  check_fineness(arguments.fineness);
   check_remesh_targets(arguments);
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
   const LoadedInput loaded = load_surface(arguments.mesh, scheduler, progress);
   SurfaceRemeshResult result;
-  result.memory_estimate = check_remesh_memory(
-      loaded, arguments.vertices,
-      arguments.picture_file.empty() ? std::nullopt : std::optional(arguments.picture), scheduler);
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
-  catch_interrupts();
-  result.made = time_remesh(loaded, arguments.vertices,
-                            make_surface_engines(arguments.engine, scheduler), scheduler, progress);
+  Remesher(arguments, loaded, scheduler, progress).run(result);
   const SurfaceRemesh& remesh = result.made.remesh;
 
   progress.stage("measuring the remesh");
@@ -62,10 +127,7 @@ void add_remesh_command(CLI::App& program) {
       "remesh", "Remesh a mesh as regularly as can be: vertices move freely over its surface");
   const auto a = std::make_shared<SurfaceRemeshArguments>();
   command->add_option("MESH", a->mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
-  add_vertices_option(*command, a->vertices,
-                      "Number of vertices; there are more only where the topology needs\n"
-                      "them")
-      ->required();
+  add_fineness_options(*command, a->fineness);
   command->add_option("-o,--output", a->output, "PLY, OBJ, OFF or STL file for the remesh")
       ->type_name("FILE")
       ->required();
@@ -77,6 +139,7 @@ void add_remesh_command(CLI::App& program) {
       ->type_name("FILE");
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
+  add_feature_options(*command, a->features);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   add_picture_options(*command, a->picture);

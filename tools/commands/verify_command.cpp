@@ -111,9 +111,11 @@ void verify_remesh(const VerifyArguments& a) {
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
       make_surface_engines(EngineKind::reference, scheduler),
       make_surface_engines(EngineKind::parallel, scheduler), comparison);
+  SurfaceRemeshOptions options;
+  options.vertex_count = a.vertices;
   SurfaceRemesh remesh;
   try {
-    remesh = time_remesh(loaded, a.vertices, make_pairs, scheduler, progress).remesh;
+    remesh = time_remesh(loaded, options, make_pairs, scheduler, progress).remesh;
   } catch (const Disagreement& difference) {
     throw std::runtime_error(std::string("the engines differ ") + difference.what());
   }

@@ -83,6 +83,24 @@ std::string find_flaw(const SurfaceRemesh& remesh) {
   return flaw;
 }
 
+double feature_length(const SurfaceRemesh& remesh) {
+  double length = 0;
+  for (const auto& [a, b] : remesh.feature_edges) {
+    length += norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]);
+  }
+  return length;
+}
+
+std::string describe(const std::vector<ToleranceTrial>& trials, double diagonal) {
+  if (trials.empty()) return "";
+  std::string text;
+  for (const ToleranceTrial& trial : trials) {
+    text += fmt::format("{}{} {:.3g} %", text.empty() ? "" : ", ", grouped(trial.vertices),
+                        100 * trial.distance / diagonal);
+  }
+  return fmt::format("  {:<12}vertices and largest distance, of the diagonal: {}\n", "tried", text);
+}
+
 std::string describe_size(const SurfaceRemesh& remesh) {
   const std::size_t vertices = remesh.mesh.vertex_count();
   const std::size_t wanted = remesh.vertices_asked_for;
@@ -106,6 +124,11 @@ std::string describe(const SurfaceRemesh& remesh) {
                   remesh.topology.total().euler_characteristic, describe(remesh.topology),
                   has_topology && remesh.vertices_cut == 0 ? ", of the input's topology" : "");
   text += describe_size(remesh);
+  if (!remesh.feature_edges.empty()) {
+    text += continued(fmt::format("{} of length {:.6g} run along features of the input",
+                                  counted(remesh.feature_edges.size(), "edge", "edges"),
+                                  feature_length(remesh)));
+  }
   if (remesh.pinholes > 0) {
     text += continued(counted(remesh.pinholes, "hole smaller than a triangle is a missing triangle",
                               "holes smaller than a triangle are missing triangles"));
@@ -154,10 +177,26 @@ std::string describe_files(const SurfaceRemeshArguments& arguments) {
 }
 
 Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
-  return {{"vertices", a.vertices},
+  const FinenessArguments& fineness = a.fineness;
+  const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
+  return {{"vertices", or_null(fineness.vertices)},
+          {"edge_length", or_null(fineness.edge_length)},
+          {"tolerance", or_null(fineness.tolerance)},
+          {"tolerance_is_percentage", fineness.is_percentage},
+          {"features", name_of_creases(a.features)},
+          {"feature_edges", a.features.edges_file.string()},
+          {"fixed", a.features.fixed_file.string()},
           {"engine", name_of(engine_names, a.engine)},
           {"threads", threads},
           {"backend", backend_part(a.engine, a.threads.backend)}};
+}
+
+Json trials_part(const std::vector<ToleranceTrial>& trials) {
+  Json part = Json::array();
+  for (const ToleranceTrial& trial : trials) {
+    part.push_back({{"vertices", trial.vertices}, {"distance", trial.distance}});
+  }
+  return part;
 }
 
 Json remesh_part(const SurfaceRemesh& remesh) {
@@ -167,7 +206,9 @@ Json remesh_part(const SurfaceRemesh& remesh) {
   return {{"vertices", vertices},
           {"triangles", remesh.mesh.triangle_count()},
           {"surplus_vertices", vertices - wanted},
-          {"boundary_vertices", remesh.chain_vertices},
+          {"chain_vertices", remesh.chain_vertices},
+          {"feature_edges", remesh.feature_edges.size()},
+          {"feature_length", feature_length(remesh)},
           {"pinholes", remesh.pinholes},
           {"edges_flipped", remesh.edges_flipped},
           {"is_manifold", remesh.is_manifold()},
@@ -216,6 +257,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["input"] = mesh_part(loaded.input);
   report["options"] = options_part(arguments, result.threads);
   report["interrupted"] = remesh.interrupted;
+  report["trials"] = trials_part(result.trials);
   report["iterations"] = remesh.steps.size();
   report["energy"] = remesh.energy;
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
@@ -234,7 +276,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
 
 void check_remesh_targets(const SurfaceRemeshArguments& a) {
   check_mesh_name(a.output);
-  std::vector<std::filesystem::path> others = {a.mesh};
+  std::vector<std::filesystem::path> others = a.inputs();
   for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file}) {
     if (file.empty()) continue;
     check_target(file, others);
@@ -275,7 +317,8 @@ std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput&
   const Input& input = loaded.input;
   return fmt::format("{}\n{}", input.file.string(),
                      describe(input.loaded, input.facts, HandledBy::surface)) +
-         describe_moves(remesh) + describe(remesh) +
+         describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
+         describe(remesh) +
          describe(result.figures, input.facts.bounding_diagonal) +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
          describe_cost(loaded, result) + describe_files(arguments);

@@ -2,17 +2,20 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/files/file_group.h"
 #include "tools/run/surface_remesh.h"
+#include "tools/run/tolerance_search.h"
 
 namespace geolloyd {
 
 /// All there is to tell of one run of `remesh`.
 struct SurfaceRemeshResult {
   TimedRemesh made;
+  std::vector<ToleranceTrial> trials;  ///< none without a tolerance
   RemeshFigures figures;
   std::size_t threads = 0;
   std::uint64_t memory_estimate = 0;  ///< bytes

@@ -1,14 +1,19 @@
 #include "tools/run/surface_remesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/loops.h"
 #include "core/base/stopwatch.h"
+#include "core/formats/vertex_list.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/surface_remesh.h"
+#include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "tools/evaluation/surface_distance.h"
@@ -75,6 +80,34 @@ LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler
   return loaded;
 }
 
+FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInput& loaded) {
+  FeatureOptions features;
+  features.creases = arguments.creases;
+  features.crease_angle = arguments.crease_angle;
+  const Mesh& mesh = loaded.input.mesh();
+  if (!arguments.edges_file.empty()) {
+    features.edges = parse_edge_list(read_file(arguments.edges_file),
+                                     arguments.edges_file.string(), mesh, loaded.edges);
+  }
+  if (!arguments.fixed_file.empty()) {
+    features.fixed_vertices = parse_vertex_list(read_file(arguments.fixed_file),
+                                                arguments.fixed_file.string(), mesh);
+  }
+  return features;
+}
+
+std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_length) {
+  const double count = 2 * loaded.input.facts.area / (std::sqrt(3.0) * edge_length * edge_length);
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  if (!(count < most)) {
+    throw InvalidInput(fmt::format(
+        "--edge-length {:g}: the remesh would have more than {:.0f} vertices; the bounding box's "
+        "diagonal is {:g}",
+        edge_length, most, loaded.input.facts.bounding_diagonal));
+  }
+  return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+}
+
 std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
                                   const std::optional<PictureArguments>& picture,
                                   Scheduler& scheduler) {
@@ -92,15 +125,13 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   return bytes;
 }
 
-TimedRemesh time_remesh(const LoadedInput& loaded, std::size_t vertices,
+TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress) {
   progress.stage("preparing the surface");
   const Stopwatch start;
   std::optional<Stopwatch> first_move;
   Stopwatch last_move;
-  SurfaceRemeshOptions options;
-  options.vertex_count = vertices;
   options.progress = [&](const SurfaceRemeshProgress& p) {
     last_move = Stopwatch();
     if (!first_move) first_move = last_move;

@@ -10,7 +10,7 @@
 #include "geolloyd/evaluation.h"
 #include "geolloyd/remesh.h"
 #include "parallel/threads/scheduler.h"
-#include "tools/cli/relax_arguments.h"
+#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/run/input.h"
 #include "tools/system/progress.h"
 
@@ -22,6 +22,12 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 /// Reads the mesh and finds its edges. Throws InvalidInput where it has no area.
 LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
                          ProgressLine& progress);
+
+/// Reads the files that are named. Throws InvalidInput where one does not fit the mesh.
+FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInput& loaded);
+
+/// About how many vertices a remesh with such edges has; above 0.
+std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_length);
 
 /// Bytes, of the whole run, with a picture if one will be drawn. Throws InvalidInput where they are
 /// more than there are.
@@ -39,8 +45,9 @@ struct TimedRemesh {
   } seconds;
 };
 
-/// Shows progress. An interrupt (interrupt.h) ends the moving of sites.
-TimedRemesh time_remesh(const LoadedInput& loaded, std::size_t vertices,
+/// With the options' progress replaced. Shows progress. An interrupt (interrupt.h) ends the moving
+/// of sites.
+TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress);
 

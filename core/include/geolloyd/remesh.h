@@ -75,8 +75,10 @@ struct FeatureOptions {
   std::vector<VertexId> fixed_vertices;         ///< become vertices of the remesh, in that place
 };
 
+/// How fine: one of the two is given.
 struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
+  double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
   FeatureOptions features;
   /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
   /// made from where they are.
@@ -99,7 +101,7 @@ struct SurfaceRemesh {
   std::size_t chain_vertices = 0;    ///< the first vertices: on boundary and features
   std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
   std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
-  std::size_t vertices_asked_for = 0;
+  std::size_t vertices_asked_for = 0;  ///< or what the edge length makes of it
   bool interrupted = false;  ///< the progress callback ended the moving of sites
   std::vector<SurfaceStep> steps;
   double energy = 0;  ///< integral over the surface of |x - vertex of its cell|^2, mesh units

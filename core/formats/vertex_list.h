@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/mesh_edges.h"
+
+namespace geolloyd {
+
+// Text files that name vertices of a mesh, counted from 0. Blank lines and lines beginning with '#'
+// are skipped. Each throws InvalidInput, naming the line, where one is malformed or names a vertex
+// that no triangle has. The file holds `text`; `name` opens every message.
+
+/// A vertex a line.
+std::vector<VertexId> parse_vertex_list(std::string_view text, std::string_view name,
+                                        const Mesh& mesh);
+
+/// An edge a line: its two vertices. Throws also where the mesh has no such edge.
+std::vector<std::array<VertexId, 2>> parse_edge_list(std::string_view text, std::string_view name,
+                                                     const Mesh& mesh, const MeshEdges& edges);
+
+}  // namespace geolloyd
