@@ -24,6 +24,7 @@ struct CreaseRule {
   double weak_cosine;    // every edge is as sharp
   double least_length;   // of a piece, and of a chain with a loose end
   std::size_t least_edges;
+  double least_share;  // of all sharp edges: else they are noise, and folds of a scan
 };
 
 class CreaseFinder {
@@ -41,7 +42,9 @@ class CreaseFinder {
                      [&](EdgeId e) { return is_as_sharp(e, rule_.strong_cosine); })) {
       return {};
     }
+    const double sharp = whole_length();
     judge_components(must_stand_out);
+    if (whole_length() < rule_.least_share * sharp) return {};
     cut_loose_ends();
     judge_components(false);
     return std::move(creases_);
@@ -75,6 +78,12 @@ class CreaseFinder {
   [[nodiscard]] double length(EdgeId e) const {
     const auto& [a, b] = edges_.ends[e];
     return norm(mesh_.positions[a] - mesh_.positions[b]);
+  }
+
+  [[nodiscard]] double whole_length() const {
+    double sum = 0;
+    for (const EdgeId e : creases_) sum += length(e);
+    return sum;
   }
 
   // A connected set of creases.
@@ -223,7 +232,8 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,
                                  Executor& executor) {
   if (options.creases == Creases::none) return {};
   if (options.creases == Creases::automatic) {
-    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing, 6};
+    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing,
+                             6, 0.5};
     return CreaseFinder(mesh, edges, rule, executor).run(true);
   }
   if (!(options.crease_angle > 0 && options.crease_angle <= 180)) {
@@ -231,7 +241,7 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,
                        ": an angle is above 0 and up to 180 degrees");
   }
   const double cosine = cosine_of_degrees(options.crease_angle);
-  return CreaseFinder(mesh, edges, {cosine, cosine, 2 * spacing, 1}, executor).run(false);
+  return CreaseFinder(mesh, edges, {cosine, cosine, 2 * spacing, 1, 0}, executor).run(false);
 }
 
 void add_given_edges(const MeshEdges& edges, const FeatureOptions& options,

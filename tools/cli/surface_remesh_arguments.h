@@ -30,6 +30,7 @@ struct SurfaceRemeshArguments {
   std::filesystem::path mesh;
   FinenessArguments fineness;
   FeatureArguments features;
+  bool fit = true;
   EngineKind engine = EngineKind::parallel;
   ThreadArguments threads;
   PictureArguments picture;

@@ -186,6 +186,7 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
           {"fixed", a.features.fixed_file.string()},
+          {"fit", a.fit},
           {"engine", name_of(engine_names, a.engine)},
           {"threads", threads},
           {"backend", backend_part(a.engine, a.threads.backend)}};
@@ -211,6 +212,7 @@ Json remesh_part(const SurfaceRemesh& remesh) {
           {"feature_length", feature_length(remesh)},
           {"pinholes", remesh.pinholes},
           {"edges_flipped", remesh.edges_flipped},
+          {"vertices_fitted", remesh.vertices_fitted},
           {"is_manifold", remesh.is_manifold()},
           {"has_input_topology", remesh.has_input_topology()},
           {"input_is_manifold", remesh.vertices_cut == 0},

@@ -80,6 +80,7 @@ struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
   FeatureOptions features;
+  bool fit = true;  ///< move vertices off the surface in the end, where that brings the remesh closer
   /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
   /// made from where they are.
   std::function<bool(const SurfaceRemeshProgress&)> progress;
@@ -94,10 +95,11 @@ struct SurfaceStep {
   double seconds = 0;             ///< from the start of the first one to its end
 };
 
-/// A remesh whose vertices are on the surface of the mesh, anywhere.
+/// A remesh whose vertices stand for points of the surface of the mesh, anywhere, and are there
+/// unless they were fitted.
 struct SurfaceRemesh {
   Mesh mesh;
-  std::vector<SurfacePoint> places;  ///< per vertex: where it is on the input
+  std::vector<SurfacePoint> places;  ///< per vertex: the point of the input it stands for
   std::size_t chain_vertices = 0;    ///< the first vertices: on boundary and features
   std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
   std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
@@ -110,6 +112,7 @@ struct SurfaceRemesh {
   std::vector<PartTopology> surface_parts;  ///< of the input, cut apart where it is no manifold;
                                             ///< ascending
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
+  std::size_t vertices_fitted = 0;          ///< moved off the surface
   std::size_t vertices_cut = 0;             ///< of the input: where it is no manifold
   std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
   std::uint64_t fingerprint = 0;    ///< of the whole course; the same on every machine
