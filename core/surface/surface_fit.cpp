@@ -9,6 +9,7 @@
 
 #include "core/base/bucketing.h"
 #include "core/mesh/closest_on_triangle.h"
+#include "core/mesh/mesh_quality.h"
 
 namespace geolloyd {
 namespace {
@@ -72,52 +73,78 @@ struct Pull {
 class Fitter {
  public:
   Fitter(const SurfaceInput& input, std::span<const RegionId> labels,
-         std::span<const std::uint8_t> stays,
-         std::span<const std::array<VertexId, 2>> feature_edges, const Mesh& remesh,
-         Executor& executor)
-      : triangles_(remesh.triangles),
+         std::size_t held, const Mesh& remesh, Executor& executor)
+      : held_(held),
         samples_(draw_samples(input.fine, labels, remesh.vertex_count())),
         executor_(executor) {
-    for (const Vec3& p : remesh.positions) positions_.push_back(input.frame.to_unit(p));
-    at_ = bucket_sort<TriangleId>(executor, positions_.size(), triangles_.size(),
+    mesh_.triangles = remesh.triangles;
+    for (const Vec3& p : remesh.positions) mesh_.positions.push_back(input.frame.to_unit(p));
+    at_ = bucket_sort<TriangleId>(executor, mesh_.positions.size(), mesh_.triangles.size(),
                                   [&](std::size_t t, auto&& put) {
-                                    for (const VertexId v : triangles_[t])
+                                    for (const VertexId v : mesh_.triangles[t])
                                       put(v, static_cast<TriangleId>(t));
                                   });
-    find_freedoms(stays, feature_edges);
+    find_normals_at_vertices();
     largest_cosine_ = std::min(turned_by_two_degrees(largest_cosine_of_all()), 1.0);
   }
 
+  // Freely sideways is closest; more and more reluctantly is more regular.
   FitResult run() {
-    start_ = positions_;
+    start_ = mesh_.positions;
+    const double quality = mean_quality();
     FitResult result;
     result.before = project();
-    result.after = result.before;
-    const int rounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : 3;
-    for (int round = 0; round < rounds; ++round) {
-      const std::vector<Vec3> before = positions_;
-      move(solve());
-      undo_bad_moves(before);
-      const FitError error = project();
-      if (!(error.sum_of_squares < result.after.sum_of_squares) ||
-          error.largest > std::max(result.after.largest, result.before.largest)) {
-        positions_ = before;
-        break;
-      }
-      result.after = error;
+    find_reaches();
+    for (const double reluctance : {0.02, 0.05, 0.12, 0.3, 0.8, 2.0}) {
+      reluctance_ = reluctance;
+      mesh_.positions = start_;
+      if (reluctance > 0.02) project();
+      if (descend(quality, result)) break;
     }
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      result.moved += positions_[v] != start_[v] ? 1 : 0;
+    for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+      result.moved += mesh_.positions[v] != start_[v] ? 1 : 0;
     }
     return result;
   }
 
-  [[nodiscard]] Vec3 move_of(std::size_t v) const { return positions_[v] - start_[v]; }
+  [[nodiscard]] Vec3 move_of(std::size_t v) const { return mesh_.positions[v] - start_[v]; }
 
  private:
+  // False where that made triangles less regular. As it was, where the first step is no descent.
+  bool descend(double quality, FitResult& result) {
+    constexpr int rounds = 3;
+    constexpr double most_lost = 0.005;
+    result.after = result.before;
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<Vec3> before = mesh_.positions;
+      move(solve());
+      undo_bad_moves(before);
+      if (mean_quality() < quality - most_lost) {
+        mesh_.positions = start_;
+        return false;
+      }
+      const FitError error = project();
+      if (!(error.sum_of_squares < result.after.sum_of_squares) ||
+          error.largest > result.before.largest) {
+        mesh_.positions = before;
+        break;
+      }
+      result.after = error;
+    }
+    return true;
+  }
+
+  [[nodiscard]] double mean_quality() const {
+    double sum = 0;
+    for (const Triangle& t : mesh_.triangles) {
+      sum += triangle_quality(mesh_, t);
+    }
+    return sum / static_cast<double>(mesh_.triangles.size());
+  }
+
   [[nodiscard]] Vec3 normal_of(TriangleId t) const {
-    const auto& [a, b, c] = triangles_[t];
-    return normalized(cross(positions_[b] - positions_[a], positions_[c] - positions_[a]));
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return normalized(cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]));
   }
 
   FitError project() {
@@ -139,12 +166,12 @@ class Fitter {
     Foot best;
     double least = std::numeric_limits<double>::infinity();
     for (const TriangleId t : at_[sample.near]) {
-      const auto& [a, b, c] = triangles_[t];
+      const auto& [a, b, c] = mesh_.triangles[t];
       const Vec3& s = sample.point;
       const auto [v, w] = weights_closest_to_origin(
-          {positions_[a] - s, positions_[b] - s, positions_[c] - s});
+          {mesh_.positions[a] - s, mesh_.positions[b] - s, mesh_.positions[c] - s});
       const double u = 1 - v - w;
-      const Vec3 away = s - (u * positions_[a] + v * positions_[b] + w * positions_[c]);
+      const Vec3 away = s - (u * mesh_.positions[a] + v * mesh_.positions[b] + w * mesh_.positions[c]);
       if (dot(away, away) >= least) continue;
       least = dot(away, away);
       best = {t, {u, v, w}, away};
@@ -155,23 +182,23 @@ class Fitter {
   // Conjugate gradients on the normal equations, preconditioned by their blocks on the diagonal.
   std::vector<Vec3> solve() {
     gather();
-    const std::size_t count = positions_.size();
+    const std::size_t count = mesh_.positions.size();
     std::vector<Vec3> x(count, Vec3::Zero());
     std::vector<Vec3> residual(count, Vec3::Zero());
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        residual[triangles_[t][i]] += pull_[t].height[i] * normal_[t];
+        residual[mesh_.triangles[t][i]] += pull_[t].height[i] * normal_[t];
       }
     }
-    for (std::size_t v = 0; v < count; ++v) residual[v] -= reluctance_[v] * sideways(v, move_of(v));
-    restrict(residual);
+    for (std::size_t v = 0; v < count; ++v) residual[v] -= stiffness_[v] * sideways(v, move_of(v));
+    hold(residual);
     std::vector<Vec3> z = precondition(residual);
     std::vector<Vec3> direction = z;
     double product = sum_of_dots(residual, z);
     constexpr int iterations = 30;
     for (int i = 0; i < iterations && product > 0; ++i) {
       std::vector<Vec3> image = times(direction);
-      restrict(image);
+      hold(image);
       const double step = product / sum_of_dots(direction, image);
       for (std::size_t v = 0; v < count; ++v) {
         x[v] += step * direction[v];
@@ -186,81 +213,53 @@ class Fitter {
   }
 
   void gather() {
-    normal_.resize(triangles_.size());
-    for (TriangleId t = 0; t < triangles_.size(); ++t) normal_[t] = normal_of(t);
-    pull_.assign(triangles_.size(), {});
+    normal_.resize(mesh_.triangles.size());
+    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) normal_[t] = normal_of(t);
+    pull_.assign(mesh_.triangles.size(), {});
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const TriangleId t = feet_[i].triangle;
       if (t != no_id) pull_[t].add(samples_[i], feet_[i], normal_[t]);
     }
     // Where normals about a vertex leave a direction open, it does not move that way.
     constexpr double damping = 0.02;
-    block_.assign(positions_.size(), Matrix3::Zero());
-    damping_.assign(positions_.size(), least_damping);
-    reluctance_.assign(positions_.size(), 0);
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+    block_.assign(mesh_.positions.size(), Matrix3::Zero());
+    damping_.assign(mesh_.positions.size(), least_damping);
+    stiffness_.assign(mesh_.positions.size(), 0);
+    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const VertexId v = triangles_[t][i];
+        const VertexId v = mesh_.triangles[t][i];
         block_[v] += pull_[t].matrix[i][i] * normal_[t] * normal_[t].transpose();
         damping_[v] += damping * pull_[t].matrix[i][i];
       }
     }
-    const double reluctance = getenv("REL") ? atof(getenv("REL")) : 0.2;
     for (std::size_t v = 0; v < block_.size(); ++v) {
-      reluctance_[v] = freedom_[v] == Freedom::along ? reluctance / damping * damping_[v] : 0;
-      block_[v] += (damping_[v] + reluctance_[v]) * Matrix3::Identity() - reluctance_[v] * direction_[v] * direction_[v].transpose();
+      stiffness_[v] = reluctance_ / damping * damping_[v];
+      block_[v] += (damping_[v] + stiffness_[v]) * Matrix3::Identity();
+      block_[v] -= stiffness_[v] * vertex_normal_[v] * vertex_normal_[v].transpose();
     }
   }
 
-  // How a vertex may move: not at all, freely but reluctant to leave its normal, or across a
-  // direction.
-  enum class Freedom : std::uint8_t { none, along, across };
-
-  void find_freedoms(std::span<const std::uint8_t> stays,
-                     std::span<const std::array<VertexId, 2>> feature_edges) {
-    freedom_.assign(positions_.size(), Freedom::along);
-    direction_.assign(positions_.size(), Vec3::Zero());
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
-      const auto& [a, b, c] = triangles_[t];
-      const Vec3 doubled = cross(positions_[b] - positions_[a], positions_[c] - positions_[a]);
-      for (const VertexId v : triangles_[t]) direction_[v] += doubled;
+  void find_normals_at_vertices() {
+    vertex_normal_.assign(mesh_.positions.size(), Vec3::Zero());
+    for (const Triangle& t : mesh_.triangles) {
+      const std::vector<Vec3>& p = mesh_.positions;
+      const Vec3 doubled = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+      for (const VertexId v : t) vertex_normal_[v] += doubled;
     }
-    std::vector<std::vector<VertexId>> along_feature(positions_.size());
-    for (const auto& [a, b] : feature_edges) {
-      along_feature[a].push_back(b);
-      along_feature[b].push_back(a);
-    }
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      const std::vector<VertexId>& others = along_feature[v];
-      if (others.size() == 2) {
-        freedom_[v] = Freedom::across;
-        direction_[v] = positions_[others[1]] - positions_[others[0]];
-      }
-      if (stays[v] != 0 || others.size() == 1 || others.size() > 2) freedom_[v] = Freedom::none;
-      direction_[v] = normalized(direction_[v]);
-    }
+    for (Vec3& normal : vertex_normal_) normal = normalized(normal);
   }
 
   [[nodiscard]] Vec3 sideways(std::size_t v, const Vec3& x) const {
-    return x - dot(x, direction_[v]) * direction_[v];
+    return x - dot(x, vertex_normal_[v]) * vertex_normal_[v];
   }
 
-  void restrict(std::vector<Vec3>& x) const {
-    for (std::size_t v = 0; v < x.size(); ++v) {
-      const Vec3 along = dot(x[v], direction_[v]) * direction_[v];
-      if (freedom_[v] == Freedom::none) {
-        x[v] = Vec3::Zero();
-      } else {
-        if (freedom_[v] == Freedom::across) x[v] -= along;
-      }
-    }
-  }
+  void hold(std::vector<Vec3>& x) const { std::fill_n(x.begin(), held_, Vec3::Zero()); }
 
   [[nodiscard]] std::vector<Vec3> times(const std::vector<Vec3>& x) const {
     std::vector<Vec3> y(x.size());
-    for (std::size_t v = 0; v < x.size(); ++v) y[v] = damping_[v] * x[v] + reluctance_[v] * sideways(v, x[v]);
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
-      const Triangle& corners = triangles_[t];
+    for (std::size_t v = 0; v < x.size(); ++v) y[v] = damping_[v] * x[v] + stiffness_[v] * sideways(v, x[v]);
+    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
+      const Triangle& corners = mesh_.triangles[t];
       std::array<double, 3> height{};
       for (std::size_t i = 0; i < 3; ++i) height[i] = dot(normal_[t], x[corners[i]]);
       for (std::size_t i = 0; i < 3; ++i) {
@@ -282,7 +281,6 @@ class Fitter {
       const double volume = dot(a, cross(b, c));
       y[v] = Vec3(dot(x[v], cross(b, c)), dot(a, cross(x[v], c)), dot(a, cross(b, x[v]))) / volume;
     }
-    restrict(y);
     return y;
   }
 
@@ -292,37 +290,56 @@ class Fitter {
     return sum;
   }
 
+  // The largest distance that any sample about a vertex had: the vertex itself need not be farther
+  // from the surface.
+  void find_reaches() {
+    reach_.assign(mesh_.positions.size(), 0);
+    for (const Foot& foot : feet_) {
+      if (foot.triangle == no_id) continue;
+      for (const VertexId v : mesh_.triangles[foot.triangle]) {
+        reach_[v] = std::max(reach_[v], norm(foot.away));
+      }
+    }
+  }
+
   // By a quarter of an edge at most.
   void move(const std::vector<Vec3>& x) {
-    std::vector<Vec3> moved = positions_;
+    std::vector<Vec3> moved = mesh_.positions;
     for (std::size_t v = 0; v < x.size(); ++v) {
       double shortest = std::numeric_limits<double>::infinity();
       for (const TriangleId t : at_[v]) {
-        for (const VertexId u : triangles_[t]) {
-          if (u != v) shortest = std::min(shortest, norm(positions_[u] - positions_[v]));
+        for (const VertexId u : mesh_.triangles[t]) {
+          if (u != v) shortest = std::min(shortest, norm(mesh_.positions[u] - mesh_.positions[v]));
         }
       }
+      constexpr double share_of_reach = 0.7;
       const double length = norm(x[v]);
       const double most = shortest / 4;
       if (length > 0 && length < std::numeric_limits<double>::infinity()) {
         moved[v] += length > most ? Vec3(x[v] * (most / length)) : x[v];
+        const Vec3 way = moved[v] - start_[v];
+        const double up = dot(way, vertex_normal_[v]);
+        const double reach = share_of_reach * reach_[v];
+        if (std::abs(up) > reach) {
+          moved[v] -= (up > 0 ? up - reach : up + reach) * vertex_normal_[v];
+        }
       }
     }
-    positions_ = std::move(moved);
+    mesh_.positions = std::move(moved);
   }
 
   void undo_bad_moves(const std::vector<Vec3>& before) {
     std::vector<TriangleId> bad;
     do {
       bad.clear();
-      for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
         if (is_bad(t)) bad.push_back(t);
       }
       std::size_t undone = 0;
       for (const TriangleId t : bad) {
-        for (const VertexId v : triangles_[t]) {
-          if (positions_[v] == before[v]) continue;
-          positions_[v] = before[v];
+        for (const VertexId v : mesh_.triangles[t]) {
+          if (mesh_.positions[v] == before[v]) continue;
+          mesh_.positions[v] = before[v];
           ++undone;
         }
       }
@@ -332,7 +349,7 @@ class Fitter {
 
   [[nodiscard]] bool is_bad(TriangleId t) const {
     constexpr double least_turn_cosine = 0.8660254037844386;  // of 30 degrees
-    const auto& [a, b, c] = triangles_[t];
+    const auto& [a, b, c] = mesh_.triangles[t];
     const Vec3 old = cross(start_[b] - start_[a], start_[c] - start_[a]);
     return largest_cosine(t) > largest_cosine_ ||
            dot(normalized(old), normal_of(t)) < least_turn_cosine;
@@ -340,15 +357,15 @@ class Fitter {
 
   // Of the smallest angle.
   [[nodiscard]] double largest_cosine(TriangleId t) const {
-    const auto& [a, b, c] = triangles_[t];
-    const Vec3 ab = normalized(positions_[b] - positions_[a]);
-    const Vec3 bc = normalized(positions_[c] - positions_[b]);
-    const Vec3 ca = normalized(positions_[a] - positions_[c]);
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const Vec3 ab = normalized(mesh_.positions[b] - mesh_.positions[a]);
+    const Vec3 bc = normalized(mesh_.positions[c] - mesh_.positions[b]);
+    const Vec3 ca = normalized(mesh_.positions[a] - mesh_.positions[c]);
     return -std::min({dot(ab, bc), dot(bc, ca), dot(ca, ab)});
   }
   [[nodiscard]] double largest_cosine_of_all() const {
     double largest = -1;
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
       largest = std::max(largest, largest_cosine(t));
     }
     return largest;
@@ -363,31 +380,30 @@ class Fitter {
 
   static constexpr double least_damping = 1e-30;
 
-  const std::vector<Triangle>& triangles_;
+  std::size_t held_;
   std::vector<Sample> samples_;
   Executor& executor_;
-  std::vector<Vec3> positions_;
+  Mesh mesh_;  // the remesh, unit frame
   std::vector<Vec3> start_;
   Bucketed<TriangleId> at_;  // triangles at a vertex
   double largest_cosine_ = 1;
-  std::vector<Freedom> freedom_;  // per vertex
-  std::vector<Vec3> direction_;   // per vertex: of its freedom
+  std::vector<Vec3> vertex_normal_;  // per vertex: its normal at the start
   std::vector<Foot> feet_;     // per sample
   std::vector<Vec3> normal_;   // per triangle
   std::vector<Pull> pull_;     // per triangle
   std::vector<Matrix3> block_;  // per vertex
   std::vector<double> damping_;
-  std::vector<double> reluctance_;
+  double reluctance_ = 0;         // to move sideways, over that to move along the normal
+  std::vector<double> stiffness_;  // per vertex, sideways
+  std::vector<double> reach_;  // per vertex
 };
 
 }  // namespace
 
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
-                         std::span<const std::uint8_t> stays,
-                         std::span<const std::array<VertexId, 2>> feature_edges, Mesh& remesh,
-                         Executor& executor) {
+                         std::size_t held, Mesh& remesh, Executor& executor) {
   if (remesh.triangles.empty()) return {};
-  Fitter fitter(input, labels, stays, feature_edges, remesh, executor);
+  Fitter fitter(input, labels, held, remesh, executor);
   const FitResult result = fitter.run();
   for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
     const Vec3 move = fitter.move_of(v);

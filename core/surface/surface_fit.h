@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <span>
 
 #include "core/surface/surface_input.h"
@@ -21,16 +20,17 @@ struct FitResult {
 };
 
 /// Moves vertices of a remesh off the surface so that the sum over the surface of the square
-/// distance to the remesh is least (quadrics, Garland and Heckbert 1997, shared among the corners
-/// of a triangle): vertices on a curved surface leave all chords on one side of it. `labels` tell
-/// the vertex of the remesh that each vertex of `input.fine` belongs to. A vertex with `stays` does
-/// not move, one between two of `feature_edges` (as in SurfaceRemesh) not along them, and all others
-/// along their normals alone. They move only where no angle gets smaller than the smallest one was, less 2
-/// degrees, and no triangle turns by more than 30 degrees. Leaves the remesh as it is where sum or
-/// largest distance would grow.
+/// distance to the remesh is least (planes of triangles, as in Garland and Heckbert 1997, shared
+/// among the corners): vertices on a curved surface leave all chords on one side of it. `labels`
+/// tell the vertex of the remesh that each vertex of `input.fine` belongs to.
+///
+/// The first `held` vertices stay. The others move no farther along their normals than any point of
+/// the surface about them was from the remesh, and sideways as reluctantly as it takes to keep the
+/// mean quality of triangles within 0.005. No angle gets smaller than the smallest one was, less 2
+/// degrees, and no triangle turns by more than 30 degrees. All stay where the sum or the largest
+/// distance would grow.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
-                         std::span<const std::uint8_t> stays,
-                         std::span<const std::array<VertexId, 2>> feature_edges, Mesh& remesh,
+                         std::size_t held, Mesh& remesh,
                          Executor& executor = sequential());
 
 }  // namespace geolloyd

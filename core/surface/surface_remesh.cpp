@@ -103,26 +103,16 @@ class SurfaceRemesher {
     if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_chains);
     result.feature_edges = edges_along_features(result.mesh, on_chains);
     measure_energy(result);
-    if (options_.fit && result.is_manifold()) fit(result);
+    if (options_.fit && result.is_manifold()) {
+      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_chains,
+                                              result.mesh, executor_)
+                                   .moved;
+    }
     result.surface_parts = parts_of(input_, surface_->chains);
     result.vertices_cut = input_.vertices_cut;
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     return result;
-  }
-
-  void fit(SurfaceRemesh& result) const {
-    std::vector<std::uint8_t> stays(result.mesh.vertex_count(), 0);
-    std::fill_n(stays.begin(), surface_->chains.corners.size(), std::uint8_t{1});
-    const MeshEdges edges = find_edges(result.mesh);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (edges.corners(e).size() == 2) continue;
-      for (const VertexId v : edges.ends[e]) stays[v] = 1;
-    }
-    result.vertices_fitted =
-        fit_to_surface(input_, dualised_.state.labels, stays, result.feature_edges, result.mesh,
-                       executor_)
-            .moved;
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_chains() const {

@@ -57,9 +57,9 @@ void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
 }
 
 TEST(Features, OfACubeAreExact) {
-  for (const std::uint32_t f : {1U, 3U, 10U}) {
+  for (const std::uint32_t f : {1U, 5U}) {
     const Mesh cube = sharp_cube(f);
-    for (const std::size_t vertices : {50U, 200U, 1000U}) expect_exact(cube, 12, vertices);
+    for (const std::size_t vertices : {50U, 300U}) expect_exact(cube, 12, vertices);
   }
   const SurfaceRemesh remesh = remesh_of(sharp_cube(2), 300);
   for (const Vec3& corner : flat_box(1).positions) EXPECT_TRUE(has_vertex_at(remesh.mesh, corner));
@@ -73,9 +73,9 @@ TEST(Features, OfACubeOfFewVertices) {
 }
 
 TEST(Features, OfPrismsAreExact) {
-  for (const std::uint32_t sides : {3U, 4U, 5U, 6U}) {
+  for (const std::uint32_t sides : {3U, 5U, 6U}) {
     const double side = 2 * std::sin(std::numbers::pi / sides);
-    for (const std::size_t vertices : {100U, 600U}) {
+    for (const std::size_t vertices : {100U, 250U}) {
       expect_exact(sharp_prism(sides), sides * (2 * side + 2), vertices);
     }
   }
@@ -84,7 +84,7 @@ TEST(Features, OfPrismsAreExact) {
 // The two rims, and nothing on the smooth side. Chords of the rims are shorter than the rims.
 TEST(Features, OfACylinderWithCaps) {
   const Mesh cylinder = sharp_prism(200);
-  for (const std::size_t vertices : {200U, 1000U}) {
+  for (const std::size_t vertices : {200U, 300U}) {
     const SurfaceRemesh remesh = remesh_of(cylinder, vertices);
     EXPECT_TRUE(remesh.has_input_topology());
     EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
@@ -110,7 +110,7 @@ TEST(Features, OfACone) {
 TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
   for (const double degrees : {10.0, 30.0}) {
     const Mesh wedge = sharp_wedge(degrees);
-    for (const std::size_t vertices : {150U, 600U}) {
+    for (const std::size_t vertices : {150U, 300U}) {
       const SurfaceRemesh remesh = remesh_of(wedge, vertices);
       EXPECT_TRUE(remesh.has_input_topology());
       EXPECT_NEAR(area_of(remesh.mesh), area_of(wedge), 1e-9);
@@ -171,15 +171,16 @@ TEST(Features, AreNotFoundInNoise) {
 // A loose edge of a crease that ends on a smooth surface is left out where it is short.
 TEST(Features, OfACreaseThatFades) {
   Mesh plane;
-  constexpr VertexId n = 20;
-  for (VertexId y = 0; y <= n; ++y) {
-    for (VertexId x = 0; x <= n; ++x) {
+  constexpr VertexId columns = 4;
+  constexpr VertexId rows = 20;
+  for (VertexId y = 0; y <= rows; ++y) {
+    for (VertexId x = 0; x <= columns; ++x) {
       const double fold = std::max(0.0, 1 - y / 10.0);  // ends in the middle
-      plane.positions.emplace_back(x, y, -1.5 * fold * std::abs(x - 10.0));
-      if (x == n || y == n) continue;
-      const VertexId at = y * (n + 1) + x;
-      plane.triangles.push_back({at, at + 1, at + n + 2});
-      plane.triangles.push_back({at, at + n + 2, at + n + 1});
+      plane.positions.emplace_back(x, y, -2 * fold * std::abs(x - 2.0));
+      if (x == columns || y == rows) continue;
+      const VertexId at = y * (columns + 1) + x;
+      plane.triangles.push_back({at, at + 1, at + columns + 2});
+      plane.triangles.push_back({at, at + columns + 2, at + columns + 1});
     }
   }
   const MeshEdges edges = find_edges(plane);

@@ -58,6 +58,7 @@ std::size_t count_astray(const Mesh& mesh, const SurfaceRemesh& remesh) {
 
 SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, Scheduler& scheduler) {
   SurfaceRemeshOptions options;
+  options.fit = false;  // which would leave each vertex near its triangle only
   options.vertex_count = vertices;
   const auto make_engine = [&](const FineMesh& fine) {
     return make_parallel_surface_engine(fine, scheduler);

@@ -4,10 +4,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/loops.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
 #include "tools/evaluation/hexagonal_energy.h"
+#include "tools/evaluation/point_queries.h"
 #include "tools/evaluation/site_energy.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -30,11 +32,15 @@ void require_area(const JudgedMesh& mesh) {
                      ": no triangle with an area, so no distance to measure");
 }
 
-// Of the remesh's vertices, and of the hexagonal tiling with as many regions.
+// Of the points of the surface closest to the remesh's vertices, and of the hexagonal tiling with as
+// many regions.
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
   const Mesh& mesh = likeness.original.input.mesh();
-  const std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
+  std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
+  const ClosestPoint closest(mesh, scheduler.threads());
+  parallel_for(scheduler, sites.size(), 256,
+               [&](std::size_t r) { sites[r] = closest.find(sites[r]).position; });
   const double area = likeness.original.input.facts.area;
   likeness.energy = site_energy(mesh, edges.duplicates, sites, scheduler);
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());

@@ -24,7 +24,8 @@ struct Likeness {
   JudgedMesh original;
   std::size_t samples = 0;   ///< on each of the two
   SurfaceDistance distance;  ///< first the remesh, second the original
-  double energy = 0;         ///< of the remesh's vertices on the original (site_energy.h)
+  double energy = 0;         ///< of sites at the original's points closest to the remesh's vertices
+                             ///< (site_energy.h)
   double hexagonal = 0;      ///< that of the hexagonal tiling with as many regions
 };
 

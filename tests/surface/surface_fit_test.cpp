@@ -1,0 +1,105 @@
+#include "core/surface/surface_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_measure.h"
+#include "core/mesh/mesh_quality.h"
+#include "core/shapes/shapes.h"
+#include "geolloyd/remesh.h"
+#include "tests/support/odd_surfaces.h"
+#include "tests/support/sharp_solids.h"
+
+namespace geolloyd {
+namespace {
+
+SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
+  SurfaceRemeshOptions options;
+  options.vertex_count = vertices;
+  options.fit = fit;
+  return remesh_surface(mesh, options);
+}
+
+double volume_of(const Mesh& mesh) {
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    volume += dot(mesh.positions[a], cross(mesh.positions[b], mesh.positions[c])) / 6;
+  }
+  return volume;
+}
+
+// Vertices on a sphere leave all of the remesh inside; a fitted remesh has some of it outside, so
+// that nearly nothing is missing from its volume.
+TEST(SurfaceFit, OfASphereHasItsVolume) {
+  const Mesh sphere = icosphere(5000);
+  const double volume = volume_of(sphere);
+  for (const std::size_t vertices : {50U, 300U}) {
+    const double missing = volume - volume_of(remesh_of(sphere, vertices, false).mesh);
+    const double left = volume - volume_of(remesh_of(sphere, vertices, true).mesh);
+    EXPECT_GT(missing, 0);
+    EXPECT_LT(std::abs(left), 0.1 * missing) << vertices;
+  }
+}
+
+// All vertices as far outside as the others. A chord of a sphere with an edge of h sinks by h^2/8.
+TEST(SurfaceFit, OfASphereMovesOutward) {
+  const SurfaceRemesh remesh = remesh_of(icosphere(5000), 500, true);
+  EXPECT_EQ(remesh.vertices_fitted, 500U);
+  const double spacing = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * 500));
+  for (const Vec3& p : remesh.mesh.positions) {
+    EXPECT_GT(norm(p), 1);
+    EXPECT_LT(norm(p), 1 + spacing * spacing / 6);
+  }
+}
+
+TEST(SurfaceFit, LeavesFlatFacesFlat) {
+  const SurfaceRemesh plane = remesh_of(irregular_plane(2000, 1), 300, true);
+  for (const Vec3& p : plane.mesh.positions) EXPECT_NEAR(p.z(), 0, 1e-12);
+  const SurfaceRemesh cube = remesh_of(sharp_cube(4), 300, true);
+  double area = 0;
+  for (const double a : triangle_areas(cube.mesh, {})) area += a;
+  EXPECT_NEAR(area, 6, 1e-9);
+}
+
+// Boundaries and features stay where they are.
+TEST(SurfaceFit, HoldsChains) {
+  for (const Mesh& mesh : {cylinder(1000, 1), sharp_prism(50)}) {
+    const SurfaceRemesh free = remesh_of(mesh, 400, false);
+    const SurfaceRemesh fitted = remesh_of(mesh, 400, true);
+    ASSERT_EQ(free.chain_vertices, fitted.chain_vertices);
+    EXPECT_GT(fitted.chain_vertices, 0U);
+    for (std::size_t v = 0; v < free.chain_vertices; ++v) {
+      EXPECT_EQ(free.mesh.positions[v], fitted.mesh.positions[v]);
+    }
+  }
+}
+
+TEST(SurfaceFit, KeepsConnectivityAnglesAndQuality) {
+  for (const Mesh& mesh : {creature(3000, 1), torus(1000, 1), thin_torus(0.1),
+                           scaled(icosphere(500), {1, 1, 0.05})}) {
+    for (const std::size_t vertices : {60U, 300U}) {
+      const SurfaceRemesh free = remesh_of(mesh, vertices, false);
+      const SurfaceRemesh fitted = remesh_of(mesh, vertices, true);
+      EXPECT_EQ(free.mesh.triangles, fitted.mesh.triangles);
+      const MeshQuality before = measure_quality(free.mesh, find_edges(free.mesh));
+      const MeshQuality after = measure_quality(fitted.mesh, find_edges(fitted.mesh));
+      EXPECT_GE(after.smallest_angle, before.smallest_angle - 2 - 1e-9);
+      EXPECT_GE(after.mean_quality, before.mean_quality - 0.005 - 1e-9);
+      EXPECT_LE(count_folds(fitted.mesh, find_edges(fitted.mesh)),
+                count_folds(free.mesh, find_edges(free.mesh)));
+    }
+  }
+}
+
+TEST(SurfaceFit, OfNothing) {
+  Mesh none;
+  SurfaceInput input;
+  EXPECT_EQ(fit_to_surface(input, {}, 0, none).moved, 0U);
+}
+
+}  // namespace
+}  // namespace geolloyd
