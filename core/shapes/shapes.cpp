@@ -120,6 +120,20 @@ Mesh icosphere(std::size_t triangles) {
   return mesh;
 }
 
+Mesh cube(std::size_t triangles) {
+  Mesh box;
+  for (const int z : {0, 1}) {
+    for (const int y : {0, 1}) {
+      for (const int x : {0, 1}) box.positions.emplace_back(x, y, z);
+    }
+  }
+  box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  Mesh mesh = refine(box, smallest_frequency(triangles, 12));
+  for (Vec3& p : mesh.positions) p = rounded_to_float(p);
+  return mesh;
+}
+
 Mesh torus(std::size_t triangles, std::uint64_t random_seed) {
   const double large_radius = 1.0;
   const double small_radius = 0.4;

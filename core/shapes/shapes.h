@@ -25,6 +25,9 @@ Mesh torus(std::size_t triangles, std::uint64_t random_seed);
 /// Open tube about the z axis, radius 1 and height 2, irregular as the plane is.
 Mesh cylinder(std::size_t triangles, std::uint64_t random_seed);
 
+/// Unit cube: each face in 2 f^2 triangles.
+Mesh cube(std::size_t triangles);
+
 /// A closed animal-like body of genus 0 with legs, neck, head, ears and tail. `random_seed` varies
 /// its posture.
 Mesh creature(std::size_t triangles, std::uint64_t random_seed);

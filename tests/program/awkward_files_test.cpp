@@ -222,7 +222,7 @@ const BadOption bad_options[] = {
     {"NegativeTriangles", "generate torus -o a.ply -t -5", "--triangles: '-5'"},
     {"TrianglesInScientificNotation", "generate torus -o a.ply -t 1e12", "--triangles: '1e12'"},
     {"TrianglesBeyond32Bits", "generate torus -o a.ply -t 1000000000000", "ask for fewer than"},
-    {"UnknownShape", "generate cube -o a.ply", "cube"},
+    {"UnknownShape", "generate cuboid -o a.ply", "cuboid"},
     {"UnknownFormat", "generate creature -t 100000000 -o a.xyz", "unknown extension '.xyz'"},
     {"MissingFolder", "generate creature -t 100000000 -o no/a.ply", "no/a.ply: cannot write: No such file"},
     {"NoCommand", "", "A subcommand is required"},

@@ -1,5 +1,7 @@
 // The command remesh, and verify for remeshes.
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "core/formats/mesh_io.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
 #include "tests/support/topology.h"
@@ -28,6 +31,10 @@ class Remeshing : public Program {
     const Outcome outcome = remesh(options + " --report " + file("r.json").string());
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     return nlohmann::json::parse(read_file(file("r.json")));
+  }
+
+  static void write_list(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << text;
   }
 
   static void expect_text(const Outcome& outcome, const std::string& text) {
@@ -134,6 +141,99 @@ TEST_F(Remeshing, JudgesAsQualityDoes) {
   EXPECT_EQ(distance, quality["likeness"]["original_to_remesh"]);
   EXPECT_NEAR(report["energy_ratio_hexagonal"].get<double>(),
               quality["likeness"]["energy_ratio_hexagonal"].get<double>(), 0.01);
+}
+
+// A shape beside the mesh of all tests.
+TEST_F(Remeshing, KeepsSharpEdges) {
+  ASSERT_EQ(geolloyd_with("generate cube -t 300 -o " + file("cube.ply").string()).status, 0);
+  const std::string start = "remesh " + file("cube.ply").string() + " -n 200 -o " +
+                            file("r.ply").string() + " --report " + file("r.json").string();
+  const Outcome sharp = geolloyd_with(start);
+  ASSERT_EQ(sharp.status, 0) << sharp.text;
+  expect_text(sharp, " of length 12 run along features of the input\n");
+  nlohmann::json told = nlohmann::json::parse(read_file(file("r.json")));
+  EXPECT_NEAR(told["remesh"]["feature_length"].get<double>(), 12, 1e-6);
+  EXPECT_EQ(told["options"]["features"], "auto");
+  EXPECT_LT(told["input_to_remesh"]["hausdorff"].get<double>(), 1e-6);
+  const Outcome round = geolloyd_with(start + " --features off --no-fit");
+  ASSERT_EQ(round.status, 0) << round.text;
+  told = nlohmann::json::parse(read_file(file("r.json")));
+  EXPECT_EQ(told["remesh"]["feature_edges"], 0);
+  EXPECT_EQ(told["remesh"]["vertices_fitted"], 0);
+  EXPECT_GT(told["input_to_remesh"]["hausdorff"].get<double>(), 0.01);
+  ASSERT_EQ(geolloyd_with(start + " --features 91").status, 0);
+  told = nlohmann::json::parse(read_file(file("r.json")));
+  EXPECT_EQ(told["remesh"]["feature_edges"], 0);
+  EXPECT_EQ(told["options"]["features"], "91");
+}
+
+TEST_F(Remeshing, KeepsEdgesAndVerticesOfFiles) {
+  const Mesh input = read_mesh(mesh_).mesh;
+  const auto& [a, b, c] = input.triangles[100];
+  write_list(file("edges.txt"), "# one\n\n" + std::to_string(a) + " " + std::to_string(b) + "\n");
+  write_list(file("fixed.txt"), std::to_string(c) + "\n7\n");
+  const nlohmann::json report =
+      report_of("-n 300 --feature-edges " + file("edges.txt").string() + " --fixed " +
+                file("fixed.txt").string());
+  EXPECT_GE(report["remesh"]["feature_edges"], 1);
+  const Mesh made = read_mesh(file("r.ply")).mesh;
+  for (const VertexId v : {a, b, c, VertexId{7}}) {
+    EXPECT_NE(std::find(made.positions.begin(), made.positions.end(), input.positions[v]),
+              made.positions.end())
+        << v;
+  }
+}
+
+TEST_F(Remeshing, RefusesFilesThatDoNotFit) {
+  const auto expect_refused = [&](const std::string& option, const std::string& text,
+                                  const std::string& message) {
+    write_list(file("list.txt"), text);
+    const Outcome outcome = remesh("-n 100 " + option + " " + file("list.txt").string());
+    EXPECT_EQ(outcome.status, 2);
+    expect_text(outcome, message);
+  };
+  expect_refused("--fixed", "1\n2000000\n", "list.txt: line 2: the mesh has no vertex 2000000");
+  expect_refused("--fixed", "1\n\n2 3\n", "list.txt: line 3: expected a vertex and no more");
+  expect_refused("--fixed", "x\n", "list.txt: line 1: expected a vertex, found 'x'");
+  expect_refused("--feature-edges", "1\n", "list.txt: line 1: expected a vertex");
+  expect_refused("--feature-edges", "0 999\n", "list.txt: line 1: the mesh has no edge from");
+  const Outcome own = geolloyd_with("remesh " + mesh_.string() + " -n 100 --fixed " +
+                                    file("list.txt").string() + " -o " +
+                                    file("list.txt").string());
+  EXPECT_EQ(own.status, 2);
+}
+
+TEST_F(Remeshing, HasEdgesOfTheLengthAskedFor) {
+  for (const double length : {0.1, 0.25}) {
+    const nlohmann::json report = report_of("--edge-length " + std::to_string(length));
+    const Mesh made = read_mesh(file("r.ply")).mesh;
+    const MeshEdges edges = find_edges(made);
+    double sum = 0;
+    for (const auto& [a, b] : edges.ends) sum += norm(made.positions[a] - made.positions[b]);
+    EXPECT_NEAR(sum / static_cast<double>(edges.size()), length, 0.02 * length);
+    EXPECT_EQ(report["options"]["vertices"], nullptr);
+    EXPECT_EQ(report["remesh"]["surplus_vertices"], 0);
+  }
+}
+
+TEST_F(Remeshing, StaysWithinATolerance) {
+  const nlohmann::json report = report_of("--tolerance 1%");
+  const double tolerance = 0.01 * report["input"]["bounding_diagonal"].get<double>();
+  EXPECT_LE(report["input_to_remesh"]["hausdorff"].get<double>(), tolerance);
+  ASSERT_GE(report["trials"].size(), 2U);
+  const auto vertices = report["remesh"]["vertices"].get<std::size_t>();
+  bool has_close_failure = false;
+  for (const nlohmann::json& trial : report["trials"]) {
+    const auto tried = trial["vertices"].get<std::size_t>();
+    EXPECT_TRUE(trial["distance"].get<double>() > tolerance || tried >= vertices);
+    has_close_failure = has_close_failure || (trial["distance"].get<double>() > tolerance &&
+                                              1.06 * static_cast<double>(tried) >=
+                                                  static_cast<double>(vertices));
+  }
+  EXPECT_TRUE(has_close_failure);
+  const Outcome impossible = remesh("--tolerance 1e-12");
+  EXPECT_EQ(impossible.status, 2);
+  expect_text(impossible, "--tolerance: the largest distance is ");
 }
 
 // Without its times, which never go back.

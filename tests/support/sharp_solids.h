@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
-#include "core/mesh/subdivide.h"
 #include "tests/support/odd_surfaces.h"
 
 // Solids whose edges are sharp, and known.
 namespace geolloyd {
-
-/// Unit cube, each face in 2 f^2 triangles.
-inline Mesh sharp_cube(std::uint32_t f) {
-  return refine(flat_box(1), f);
-}
 
 /// Rings of `sides` points about the z axis, from a point below to a point above. `profile` holds
 /// radius and height of each ring.

@@ -58,16 +58,16 @@ void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
 
 TEST(Features, OfACubeAreExact) {
   for (const std::uint32_t f : {1U, 5U}) {
-    const Mesh cube = sharp_cube(f);
-    for (const std::size_t vertices : {50U, 300U}) expect_exact(cube, 12, vertices);
+    const Mesh solid = cube(12 * f * f);
+    for (const std::size_t vertices : {50U, 300U}) expect_exact(solid, 12, vertices);
   }
-  const SurfaceRemesh remesh = remesh_of(sharp_cube(2), 300);
+  const SurfaceRemesh remesh = remesh_of(cube(48), 300);
   for (const Vec3& corner : flat_box(1).positions) EXPECT_TRUE(has_vertex_at(remesh.mesh, corner));
   EXPECT_GE(smallest_angle(remesh.mesh), 28);
 }
 
 TEST(Features, OfACubeOfFewVertices) {
-  const SurfaceRemesh remesh = remesh_of(sharp_cube(4), 8);
+  const SurfaceRemesh remesh = remesh_of(cube(192), 8);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_NEAR(area_of(remesh.mesh), 6, 1e-9);
 }
@@ -122,7 +122,7 @@ TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
 TEST(Features, AreOffWhereAskedFor) {
   FeatureOptions none;
   none.creases = Creases::none;
-  const SurfaceRemesh remesh = remesh_of(sharp_cube(5), 300, none);
+  const SurfaceRemesh remesh = remesh_of(cube(300), 300, none);
   EXPECT_EQ(remesh.chain_vertices, 0U);
   EXPECT_TRUE(remesh.feature_edges.empty());
 }
@@ -222,28 +222,28 @@ TEST(Features, AreEdgesThatAreGiven) {
 }
 
 TEST(Features, MustBeOfTheMesh) {
-  const Mesh cube = sharp_cube(2);
+  const Mesh solid = cube(48);
   FeatureOptions options;
   options.edges = {{0, 7}};
-  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  EXPECT_THROW(remesh_of(solid, 100, options), InvalidInput);
   options.edges = {{0, 1'000'000}};
-  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  EXPECT_THROW(remesh_of(solid, 100, options), InvalidInput);
   options.edges = {};
   options.groups = {1, 2, 3};
-  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  EXPECT_THROW(remesh_of(solid, 100, options), InvalidInput);
   options.groups = {};
   options.fixed_vertices = {1'000'000};
-  EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput);
+  EXPECT_THROW(remesh_of(solid, 100, options), InvalidInput);
   options.fixed_vertices = {};
   options.creases = Creases::by_angle;
   for (const double angle : {0.0, -1.0, 181.0, std::nan("")}) {
     options.crease_angle = angle;
-    EXPECT_THROW(remesh_of(cube, 100, options), InvalidInput) << angle;
+    EXPECT_THROW(remesh_of(solid, 100, options), InvalidInput) << angle;
   }
 }
 
 TEST(FixedVertices, AreVerticesOfTheRemesh) {
-  for (const Mesh& mesh : {creature(5000, 1), irregular_plane(2000, 1), sharp_cube(6)}) {
+  for (const Mesh& mesh : {creature(5000, 1), irregular_plane(2000, 1), cube(432)}) {
     FeatureOptions options;
     for (VertexId v = 3; v < mesh.vertex_count(); v += 211) options.fixed_vertices.push_back(v);
     options.fixed_vertices.push_back(options.fixed_vertices.front());  // twice

@@ -8,6 +8,7 @@ const std::vector<Named<Shape>> shape_names = {
     {"creature", creature},
     {"plane", irregular_plane},
     {"icosphere", [](std::size_t triangles, std::uint64_t) { return icosphere(triangles); }},
+    {"cube", [](std::size_t triangles, std::uint64_t) { return cube(triangles); }},
     {"torus", torus},
     {"cylinder", cylinder},
 };
