@@ -101,9 +101,7 @@ bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::siz
 
 void make_levels(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
-  const auto work = [&] {
-    return LevelMeshes(start.surface(), start.spacings, workers.executor);
-  };
+  const auto work = [&] { return LevelMeshes(start.surface(), start.spacings, workers.executor); };
   run.verify("not the levels of the calling thread", [&] {
     const LevelMeshes expected(start.surface(), start.spacings);
     return are_levels(work(), expected, start.spacings.size());
@@ -211,8 +209,7 @@ Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
   const LevelMesh level = fine_level(start.surface());
   const auto adjacent = adjacent_cells(level, state.labels);
   Refined refined{refine_sites(state.sites, adjacent, on_chains, finer), {}};
-  refined.labels =
-      inherit_labels(level, refined.refinement, state.labels, itself, executor);
+  refined.labels = inherit_labels(level, refined.refinement, state.labels, itself, executor);
   return refined;
 }
 
@@ -233,8 +230,10 @@ bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
 
 void refine(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
-  const ChainSites old = place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
-  const ChainSites finer = place_chain_sites(start.input(), start.surface().chains, start.spacings.front() / 2);
+  const ChainSites old =
+      place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
+  const ChainSites finer =
+      place_chain_sites(start.input(), start.surface().chains, start.spacings.front() / 2);
   const auto on_chains = neighbours_on_chains(start.surface().chains, old.label);
   std::vector<VertexId> itself(start.input().fine.vertex_count());
   std::iota(itself.begin(), itself.end(), VertexId{0});
@@ -261,8 +260,7 @@ Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::si
   options.vertex_count = sites;
   SiteRelaxer relaxer(make_engine, options, start.input().fine.whole_area,
                       1 / start.input().frame.scale, executor);
-  DualisedSites dualised =
-      repair_dual(start.surface(), std::move(resting), relaxer, executor);
+  DualisedSites dualised = repair_dual(start.surface(), std::move(resting), relaxer, executor);
   return {std::move(dualised), relaxer.fingerprint()};
 }
 

@@ -18,10 +18,10 @@
 namespace geolloyd {
 namespace {
 
+using creature_blocks::full_length;
 using creature_blocks::half_width;
 using creature_blocks::height;
 using creature_blocks::is_solid;
-using creature_blocks::full_length;
 using creature_blocks::QuadMesh;
 
 // Cubic B-spline field of the blocks, blurred once more so that no step between blocks shows: 1

@@ -87,8 +87,8 @@ class BlockSurface {
   }
 
   QuadMesh surface_;
-  std::vector<VertexId> ids_ =
-      std::vector<VertexId>(std::size_t{full_length + 1} * (2 * half_width + 1) * (height + 1), no_id);
+  std::vector<VertexId> ids_ = std::vector<VertexId>(
+      std::size_t{full_length + 1} * (2 * half_width + 1) * (height + 1), no_id);
 };
 
 }  // namespace

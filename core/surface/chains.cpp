@@ -410,8 +410,7 @@ class ChainSitePlacer {
   }
 
   // Where edges are longer than the spacing: sites on vertices, counted instead of measured.
-  static std::vector<std::size_t> places_at_vertices(const Chain& chain,
-                                                     std::size_t intervals) {
+  static std::vector<std::size_t> places_at_vertices(const Chain& chain, std::size_t intervals) {
     std::vector<std::size_t> place;
     const std::size_t edges = chain.vertices.size() - 1;
     for (std::size_t i = 0; i <= edges; ++i) place.push_back(i * intervals / edges);

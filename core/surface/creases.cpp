@@ -65,8 +65,7 @@ class CreaseFinder {
   [[nodiscard]] double cosine(EdgeId e) const {
     const std::span<const CornerId> corners = edges_.corners(e);
     if (corners.size() != 2) return 2;
-    const double cosine =
-        dot(normal_[triangle_of(corners[0])], normal_[triangle_of(corners[1])]);
+    const double cosine = dot(normal_[triangle_of(corners[0])], normal_[triangle_of(corners[1])]);
     return edge_start(mesh_, corners[0]) == edge_end(mesh_, corners[1]) ? cosine : -cosine;
   }
   [[nodiscard]] bool has_area(TriangleId t) const { return dot(normal_[t], normal_[t]) > 0.5; }
@@ -125,10 +124,9 @@ class CreaseFinder {
       const Component& of = component[sets.find(edges_.ends[e][0])];
       constexpr double sharp_share = 0.75;
       constexpr double bent_share = 0.25;
-      return !(of.strong > 0) || of.length < rule_.least_length ||
-             of.edges < rule_.least_edges ||
-             (must_stand_out && (of.strong < sharp_share * of.length ||
-                                 of.bent > bent_share * (of.bent + of.flat)));
+      return !(of.strong > 0) || of.length < rule_.least_length || of.edges < rule_.least_edges ||
+             (must_stand_out &&
+              (of.strong < sharp_share * of.length || of.bent > bent_share * (of.bent + of.flat)));
     });
   }
 
@@ -212,8 +210,8 @@ class LooseEnds {
   }
 
   const MeshEdges& edges_;
-  std::vector<std::uint8_t> is_boundary_;  // per vertex
-  std::vector<std::uint8_t> is_cut_;       // per crease
+  std::vector<std::uint8_t> is_boundary_;               // per vertex
+  std::vector<std::uint8_t> is_cut_;                    // per crease
   std::vector<std::pair<VertexId, std::uint32_t>> at_;  // a vertex, and a crease there; ascending
 };
 
@@ -232,8 +230,7 @@ std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,
                                  Executor& executor) {
   if (options.creases == Creases::none) return {};
   if (options.creases == Creases::automatic) {
-    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing,
-                             6, 0.5};
+    const CreaseRule rule = {cosine_of_degrees(60), cosine_of_degrees(40), 6 * spacing, 6, 0.5};
     return CreaseFinder(mesh, edges, rule, executor).run(true);
   }
   if (!(options.crease_angle > 0 && options.crease_angle <= 180)) {
@@ -265,8 +262,8 @@ void add_borders(const Mesh& mesh, const MeshEdges& edges, const FeatureOptions&
   }
   for (EdgeId e = 0; e < edges.size(); ++e) {
     const std::span<const CornerId> corners = edges.corners(e);
-    if (corners.size() == 2 && options.groups[triangle_of(corners[0])] !=
-                                   options.groups[triangle_of(corners[1])]) {
+    if (corners.size() == 2 &&
+        options.groups[triangle_of(corners[0])] != options.groups[triangle_of(corners[1])]) {
       features.push_back(e);
     }
   }

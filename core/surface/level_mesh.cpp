@@ -25,7 +25,10 @@ std::vector<std::uint32_t> number_chains(const DividedSurface& surface) {
 }  // namespace
 
 LevelMesh fine_level(const DividedSurface& surface) {
-  LevelMesh level{&surface.input.fine, surface.patches.of_vertex, surface.chains.vertices, {},
+  LevelMesh level{&surface.input.fine,
+                  surface.patches.of_vertex,
+                  surface.chains.vertices,
+                  {},
                   number_chains(surface)};
   level.is_on_chain.assign(level.chain.size(), 0);
   for (const VertexId v : level.chain_vertices) level.is_on_chain[v] = 1;

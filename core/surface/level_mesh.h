@@ -12,10 +12,10 @@ namespace geolloyd {
 /// A mesh on which the sites of one level move: the fine mesh, or a coarser one.
 struct LevelMesh {
   const FineMesh* mesh = nullptr;
-  std::vector<PatchId> patch;               ///< per vertex
-  std::vector<VertexId> chain_vertices;     ///< those that stand for Chains::vertices
-  std::vector<std::uint8_t> is_on_chain;    ///< per vertex: stands for one of them
-  std::vector<std::uint32_t> chain;         ///< per vertex: its chain or corner, from 1; else 0
+  std::vector<PatchId> patch;             ///< per vertex
+  std::vector<VertexId> chain_vertices;   ///< those that stand for Chains::vertices
+  std::vector<std::uint8_t> is_on_chain;  ///< per vertex: stands for one of them
+  std::vector<std::uint32_t> chain;       ///< per vertex: its chain or corner, from 1; else 0
 };
 
 /// That of the last level.

@@ -42,7 +42,8 @@ class PatchFinder {
       const auto t = static_cast<TriangleId>(i);
       for (std::size_t c = 0; c < 3; ++c) {
         if (fine_.across[t][c] == no_id) continue;
-        const auto edge = ascending(fine_.triangles[t][(c + 1) % 3], fine_.triangles[t][(c + 2) % 3]);
+        const auto edge =
+            ascending(fine_.triangles[t][(c + 1) % 3], fine_.triangles[t][(c + 2) % 3]);
         for (const TriangleId u : fine_.triangles_at(edge[0])) {
           if (u < t && has_vertex(u, edge[1])) sets.unite(t, u);
         }

@@ -17,6 +17,7 @@ struct RestingSites {
 /// four times as many: the old ones and the middles between neighbours, which makes nearly all of
 /// them regular. The sites of a level move downhill on a mesh that is just fine enough for them.
 /// There are `count`, or the least that the patches of the surface need.
-RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer, Executor& executor = sequential());
+RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer,
+                        Executor& executor = sequential());
 
 }  // namespace geolloyd

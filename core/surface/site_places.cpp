@@ -87,8 +87,8 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
   return places;
 }
 
-void place_corners(const Mesh& mesh, const SurfaceInput& input,
-                   std::span<const VertexId> corners, std::vector<SurfacePoint>& places) {
+void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
+                   std::vector<SurfacePoint>& places) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const TriangleId origin = input.origin[input.fine.triangles_at(corners[i])[0]];
     for (std::size_t c = 0; c < 3; ++c) {

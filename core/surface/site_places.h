@@ -18,8 +18,8 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
 
 /// Puts the first places, which are those of corners (vertices of `input.fine`), exactly on the
 /// mesh's vertices, where corners are such.
-void place_corners(const Mesh& mesh, const SurfaceInput& input,
-                   std::span<const VertexId> corners, std::vector<SurfacePoint>& places);
+void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
+                   std::vector<SurfacePoint>& places);
 
 /// Where that is, mesh units.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);

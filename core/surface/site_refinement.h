@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/level_mesh.h"
 #include "core/surface/chains.h"
+#include "core/surface/level_mesh.h"
 #include "core/surface/surface_sites.h"
 
 namespace geolloyd {
@@ -36,9 +36,9 @@ Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adja
                         std::span<const std::array<RegionId, 2>> on_chains,
                         const ChainSites& at_chains);
 
-/// Per vertex: the nearest heir in its patch of its old label's site, of equals the smallest; no_id where there
-/// is none. `old_label` is per vertex of a coarser mesh, of which `stands_for` names one for each
-/// vertex.
+/// Per vertex: the nearest heir in its patch of its old label's site, of equals the smallest; no_id
+/// where there is none. `old_label` is per vertex of a coarser mesh, of which `stands_for` names
+/// one for each vertex.
 std::vector<RegionId> inherit_labels(const LevelMesh& level, const Refinement& refinement,
                                      std::span<const RegionId> old_label,
                                      std::span<const VertexId> stands_for,

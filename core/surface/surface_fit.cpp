@@ -72,8 +72,8 @@ struct Pull {
 
 class Fitter {
  public:
-  Fitter(const SurfaceInput& input, std::span<const RegionId> labels,
-         std::size_t held, const Mesh& remesh, Executor& executor)
+  Fitter(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
+         const Mesh& remesh, Executor& executor)
       : held_(held),
         samples_(draw_samples(input.fine, labels, remesh.vertex_count())),
         executor_(executor) {
@@ -144,7 +144,8 @@ class Fitter {
 
   [[nodiscard]] Vec3 normal_of(TriangleId t) const {
     const auto& [a, b, c] = mesh_.triangles[t];
-    return normalized(cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]));
+    return normalized(
+        cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]));
   }
 
   FitError project() {
@@ -171,7 +172,8 @@ class Fitter {
       const auto [v, w] = weights_closest_to_origin(
           {mesh_.positions[a] - s, mesh_.positions[b] - s, mesh_.positions[c] - s});
       const double u = 1 - v - w;
-      const Vec3 away = s - (u * mesh_.positions[a] + v * mesh_.positions[b] + w * mesh_.positions[c]);
+      const Vec3 away =
+          s - (u * mesh_.positions[a] + v * mesh_.positions[b] + w * mesh_.positions[c]);
       if (dot(away, away) >= least) continue;
       least = dot(away, away);
       best = {t, {u, v, w}, away};
@@ -257,7 +259,8 @@ class Fitter {
 
   [[nodiscard]] std::vector<Vec3> times(const std::vector<Vec3>& x) const {
     std::vector<Vec3> y(x.size());
-    for (std::size_t v = 0; v < x.size(); ++v) y[v] = damping_[v] * x[v] + stiffness_[v] * sideways(v, x[v]);
+    for (std::size_t v = 0; v < x.size(); ++v)
+      y[v] = damping_[v] * x[v] + stiffness_[v] * sideways(v, x[v]);
     for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) {
       const Triangle& corners = mesh_.triangles[t];
       std::array<double, 3> height{};
@@ -388,14 +391,14 @@ class Fitter {
   Bucketed<TriangleId> at_;  // triangles at a vertex
   double largest_cosine_ = 1;
   std::vector<Vec3> vertex_normal_;  // per vertex: its normal at the start
-  std::vector<Foot> feet_;     // per sample
-  std::vector<Vec3> normal_;   // per triangle
-  std::vector<Pull> pull_;     // per triangle
-  std::vector<Matrix3> block_;  // per vertex
+  std::vector<Foot> feet_;           // per sample
+  std::vector<Vec3> normal_;         // per triangle
+  std::vector<Pull> pull_;           // per triangle
+  std::vector<Matrix3> block_;       // per vertex
   std::vector<double> damping_;
-  double reluctance_ = 0;         // to move sideways, over that to move along the normal
+  double reluctance_ = 0;          // to move sideways, over that to move along the normal
   std::vector<double> stiffness_;  // per vertex, sideways
-  std::vector<double> reach_;  // per vertex
+  std::vector<double> reach_;      // per vertex
 };
 
 }  // namespace

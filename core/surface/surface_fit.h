@@ -30,7 +30,6 @@ struct FitResult {
 /// degrees, and no triangle turns by more than 30 degrees. All stay where the sum or the largest
 /// distance would grow.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
-                         std::size_t held, Mesh& remesh,
-                         Executor& executor = sequential());
+                         std::size_t held, Mesh& remesh, Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -256,18 +256,17 @@ class SurfaceInputBuilder {
     if (options_.features.empty()) return;
     const FineMesh& fine = result_.fine;
     std::vector<std::vector<std::array<VertexId, 2>>> found(executor_.threads());
-    parallel_for_ranges(
-        executor_, fine.triangle_count(), small_items,
-        [&](std::size_t begin, std::size_t end, std::size_t worker) {
-          for (auto t = static_cast<TriangleId>(begin); t < end; ++t) {
-            for (std::size_t c = 0; c < 3; ++c) {
-              if (is_feature(t, c)) {
-                found[worker].push_back(
-                    ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]));
-              }
-            }
-          }
-        });
+    parallel_for_ranges(executor_, fine.triangle_count(), small_items,
+                        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                          for (auto t = static_cast<TriangleId>(begin); t < end; ++t) {
+                            for (std::size_t c = 0; c < 3; ++c) {
+                              if (is_feature(t, c)) {
+                                found[worker].push_back(ascending(fine.triangles[t][(c + 1) % 3],
+                                                                  fine.triangles[t][(c + 2) % 3]));
+                              }
+                            }
+                          }
+                        });
     for (const auto& edges : found) {
       result_.feature_edges.insert(result_.feature_edges.end(), edges.begin(), edges.end());
     }

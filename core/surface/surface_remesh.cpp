@@ -74,8 +74,8 @@ class SurfaceRemesher {
                                      : options_.edge_length * input_.frame.scale;
     for (const bool may_have_pinholes : {true, false}) {
       surface_.emplace(input_, spacing, may_have_pinholes, executor_);
-      count_ = has_count ? options_.vertex_count
-                         : SiteBudgeter(*surface_).at_spacing(spacing).total();
+      count_ =
+          has_count ? options_.vertex_count : SiteBudgeter(*surface_).at_spacing(spacing).total();
       RestingSites resting = rest_sites(*surface_, count_, relaxer_, executor_);
       dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
       if (open_pinholes(*surface_, dualised_.state.sites, dualised_.dual.triangles)) break;
@@ -104,9 +104,9 @@ class SurfaceRemesher {
     result.feature_edges = edges_along_features(result.mesh, on_chains);
     measure_energy(result);
     if (options_.fit && result.is_manifold()) {
-      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_chains,
-                                              result.mesh, executor_)
-                                   .moved;
+      result.vertices_fitted =
+          fit_to_surface(input_, dualised_.state.labels, sites.on_chains, result.mesh, executor_)
+              .moved;
     }
     result.surface_parts = parts_of(input_, surface_->chains);
     result.vertices_cut = input_.vertices_cut;
@@ -186,9 +186,8 @@ SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
       find_features(mesh, edges, options.features, spacing, executor);
   SurfaceInputOptions input;
   input.duplicates = edges.duplicates;
-  input.longest_edge = features.empty()
-                           ? 0.6 * std::sqrt(area / static_cast<double>(count))
-                           : 0.35 * spacing;
+  input.longest_edge =
+      features.empty() ? 0.6 * std::sqrt(area / static_cast<double>(count)) : 0.35 * spacing;
   input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh.vertex_count();
   input.features = features;
   input.fixed_vertices = options.features.fixed_vertices;

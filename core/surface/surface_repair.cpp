@@ -17,8 +17,8 @@ enum class Inserted { may_move, stays };
 
 class SurfaceRepair {
  public:
-  SurfaceRepair(const DividedSurface& surface, RestingSites resting,
-                SiteRelaxer& relaxer, Executor& executor)
+  SurfaceRepair(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
+                Executor& executor)
       : input_(surface.input),
         chains_(surface.chains),
         budget_(std::move(resting.budget)),
@@ -197,7 +197,8 @@ class SurfaceRepair {
   // back.
   void try_without_holding() {
     std::vector<std::uint8_t>& stays = result_.state.sites.stays;
-    const auto first_free = stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.on_chains);
+    const auto first_free =
+        stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.on_chains);
     if (std::count(first_free, stays.end(), 1) == 0) return;
     const DualisedSites before = result_;
     std::fill(first_free, stays.end(), std::uint8_t{0});
@@ -279,8 +280,8 @@ class SurfaceRepair {
 
 }  // namespace
 
-DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
-                          SiteRelaxer& relaxer, Executor& executor) {
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
+                          Executor& executor) {
   return SurfaceRepair(surface, std::move(resting), relaxer, executor).run();
 }
 

@@ -21,7 +21,7 @@ struct DualisedSites {
 /// where a sheet is thinner than a spacing, the inserted sites and their neighbours stay where they
 /// are; if the others cannot make room either, there are more sites than wanted. An interrupt ends
 /// the moving of sites, not their insertion.
-DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
-                          SiteRelaxer& relaxer, Executor& executor = sequential());
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
+                          Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -14,7 +14,7 @@ struct SurfaceSites {
   std::vector<Vec3> positions;
   std::vector<std::uint32_t> patch;  ///< per site: its own, or no_id on a chain
   std::vector<std::uint8_t> stays;   ///< per site: not 0 where it must not move
-  std::size_t on_chains = 0;            ///< how many are on chains
+  std::size_t on_chains = 0;         ///< how many are on chains
 
   SurfaceSites() = default;
   /// Those on chains.

@@ -172,9 +172,8 @@ TEST_F(Remeshing, KeepsEdgesAndVerticesOfFiles) {
   const auto& [a, b, c] = input.triangles[100];
   write_list(file("edges.txt"), "# one\n\n" + std::to_string(a) + " " + std::to_string(b) + "\n");
   write_list(file("fixed.txt"), std::to_string(c) + "\n7\n");
-  const nlohmann::json report =
-      report_of("-n 300 --feature-edges " + file("edges.txt").string() + " --fixed " +
-                file("fixed.txt").string());
+  const nlohmann::json report = report_of("-n 300 --feature-edges " + file("edges.txt").string() +
+                                          " --fixed " + file("fixed.txt").string());
   EXPECT_GE(report["remesh"]["feature_edges"], 1);
   const Mesh made = read_mesh(file("r.ply")).mesh;
   for (const VertexId v : {a, b, c, VertexId{7}}) {
@@ -198,8 +197,7 @@ TEST_F(Remeshing, RefusesFilesThatDoNotFit) {
   expect_refused("--feature-edges", "1\n", "list.txt: line 1: expected a vertex");
   expect_refused("--feature-edges", "0 999\n", "list.txt: line 1: the mesh has no edge from");
   const Outcome own = geolloyd_with("remesh " + mesh_.string() + " -n 100 --fixed " +
-                                    file("list.txt").string() + " -o " +
-                                    file("list.txt").string());
+                                    file("list.txt").string() + " -o " + file("list.txt").string());
   EXPECT_EQ(own.status, 2);
 }
 
@@ -226,9 +224,9 @@ TEST_F(Remeshing, StaysWithinATolerance) {
   for (const nlohmann::json& trial : report["trials"]) {
     const auto tried = trial["vertices"].get<std::size_t>();
     EXPECT_TRUE(trial["distance"].get<double>() > tolerance || tried >= vertices);
-    has_close_failure = has_close_failure || (trial["distance"].get<double>() > tolerance &&
-                                              1.06 * static_cast<double>(tried) >=
-                                                  static_cast<double>(vertices));
+    has_close_failure =
+        has_close_failure || (trial["distance"].get<double>() > tolerance &&
+                              1.06 * static_cast<double>(tried) >= static_cast<double>(vertices));
   }
   EXPECT_TRUE(has_close_failure);
   const Outcome impossible = remesh("--tolerance 1e-12");

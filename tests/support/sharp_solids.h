@@ -59,7 +59,8 @@ inline Mesh sharp_wedge(double degrees) {
     mesh.positions.emplace_back(std::cos(half), y, -std::sin(half));
     mesh.positions.emplace_back(std::cos(half), y, std::sin(half));
   }
-  mesh.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1},
+                    {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
   return mesh;
 }
 

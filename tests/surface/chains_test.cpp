@@ -114,9 +114,10 @@ void expect_even_sites(const SurfaceInput& input, const Chains& chains, const Ch
     const RegionId label = label_of(chains, placed, chain.vertices[i]);
     if (label != last) ++place;
     last = label;
-    const double at = place == 0           ? 0
-                      : place == intervals ? chain.length()
-                                           : step * (static_cast<double>(place - 1) + chain.first_step);
+    const double at = place == 0 ? 0
+                      : place == intervals
+                          ? chain.length()
+                          : step * (static_cast<double>(place - 1) + chain.first_step);
     EXPECT_LE(norm(placed.sites[label] - point_at(input, chain, at)), 1e-12);
     const double longest = std::max({1.0, chain.first_step, chain.last_step});
     EXPECT_LE(std::abs(chain.arc[i] - at), longest * step / 2 + 1e-12);

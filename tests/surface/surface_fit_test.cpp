@@ -79,8 +79,8 @@ TEST(SurfaceFit, HoldsChains) {
 }
 
 TEST(SurfaceFit, KeepsConnectivityAnglesAndQuality) {
-  for (const Mesh& mesh : {creature(3000, 1), torus(1000, 1), thin_torus(0.1),
-                           scaled(icosphere(500), {1, 1, 0.05})}) {
+  for (const Mesh& mesh :
+       {creature(3000, 1), torus(1000, 1), thin_torus(0.1), scaled(icosphere(500), {1, 1, 0.05})}) {
     for (const std::size_t vertices : {60U, 300U}) {
       const SurfaceRemesh free = remesh_of(mesh, vertices, false);
       const SurfaceRemesh fitted = remesh_of(mesh, vertices, true);

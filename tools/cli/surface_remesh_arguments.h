@@ -11,10 +11,10 @@ namespace geolloyd {
 
 /// How fine a remesh is to be: one of three.
 struct FinenessArguments {
-  std::size_t vertices = 0;   ///< 0: not given
-  double edge_length = 0;     ///< mesh units; 0: not given
-  double tolerance = 0;       ///< largest distance to the input; 0: not given
-  bool is_percentage = false; ///< the tolerance is one of the bounding box's diagonal
+  std::size_t vertices = 0;    ///< 0: not given
+  double edge_length = 0;      ///< mesh units; 0: not given
+  double tolerance = 0;        ///< largest distance to the input; 0: not given
+  bool is_percentage = false;  ///< the tolerance is one of the bounding box's diagonal
 };
 
 /// What of the input is kept.

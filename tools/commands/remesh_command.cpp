@@ -23,8 +23,8 @@ namespace {
 // What the command line asks of a remesh, of one mesh.
 class Remesher {
  public:
-  Remesher(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
-           Scheduler& scheduler, ProgressLine& progress)
+  Remesher(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded, Scheduler& scheduler,
+           ProgressLine& progress)
       : arguments_(arguments),
         loaded_(loaded),
         make_engine_(make_surface_engines(arguments.engine, scheduler)),
@@ -52,8 +52,7 @@ class Remesher {
  private:
   void search(SurfaceRemeshResult& result) {
     const FinenessArguments& fineness = arguments_.fineness;
-    const double unit =
-        fineness.is_percentage ? loaded_.input.facts.bounding_diagonal / 100 : 1;
+    const double unit = fineness.is_percentage ? loaded_.input.facts.bounding_diagonal / 100 : 1;
     const std::size_t most =
         std::max<std::size_t>(100'000, 4 * loaded_.input.mesh().vertex_count());
     ToleranceSearch found = search_within(

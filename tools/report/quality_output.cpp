@@ -53,7 +53,8 @@ std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
   return fmt::format(
       "\n{}"
       "  {:<12}Euler characteristic {:+}, components {:+}, boundary loops {:+} in the remesh\n"
-      "  {:<12}of the vertices' closest points on the original as sites: {:.5g} of a regular hexagonal tiling\n"
+      "  {:<12}of the vertices' closest points on the original as sites: {:.5g} of a regular "
+      "hexagonal tiling\n"
       "\n{}"
       "  {} samples on each and all vertices; %: of the original's bounding-box diagonal\n",
       describe_file(original), "difference",

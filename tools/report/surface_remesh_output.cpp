@@ -320,8 +320,7 @@ std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput&
   return fmt::format("{}\n{}", input.file.string(),
                      describe(input.loaded, input.facts, HandledBy::surface)) +
          describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
-         describe(remesh) +
-         describe(result.figures, input.facts.bounding_diagonal) +
+         describe(remesh) + describe(result.figures, input.facts.bounding_diagonal) +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
          describe_cost(loaded, result) + describe_files(arguments);
 }

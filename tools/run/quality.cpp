@@ -32,8 +32,8 @@ void require_area(const JudgedMesh& mesh) {
                      ": no triangle with an area, so no distance to measure");
 }
 
-// Of the points of the surface closest to the remesh's vertices, and of the hexagonal tiling with as
-// many regions.
+// Of the points of the surface closest to the remesh's vertices, and of the hexagonal tiling with
+// as many regions.
 void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
                     Likeness& likeness) {
   const Mesh& mesh = likeness.original.input.mesh();

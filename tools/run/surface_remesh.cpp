@@ -86,12 +86,12 @@ FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInpu
   features.crease_angle = arguments.crease_angle;
   const Mesh& mesh = loaded.input.mesh();
   if (!arguments.edges_file.empty()) {
-    features.edges = parse_edge_list(read_file(arguments.edges_file),
-                                     arguments.edges_file.string(), mesh, loaded.edges);
+    features.edges = parse_edge_list(read_file(arguments.edges_file), arguments.edges_file.string(),
+                                     mesh, loaded.edges);
   }
   if (!arguments.fixed_file.empty()) {
-    features.fixed_vertices = parse_vertex_list(read_file(arguments.fixed_file),
-                                                arguments.fixed_file.string(), mesh);
+    features.fixed_vertices =
+        parse_vertex_list(read_file(arguments.fixed_file), arguments.fixed_file.string(), mesh);
   }
   return features;
 }

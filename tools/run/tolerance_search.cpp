@@ -57,15 +57,16 @@ ToleranceSearch search_within(double tolerance, std::size_t most, const LoadedIn
                       "more than those are not tried; give a larger tolerance",
                       nearest, most));
     }
-    const bool is_close =
-        static_cast<double>(enough) <= close * static_cast<double>(too_few) || enough == too_few + 1;
+    const bool is_close = static_cast<double>(enough) <= close * static_cast<double>(too_few) ||
+                          enough == too_few + 1;
     if (enough > 0 && is_close) return search;
     // Distance falls with the square of edges, so with the number of vertices. Far from the
     // bounds the middle serves better.
     const double wanted = static_cast<double>(next) * distance / tolerance;
     const auto low = static_cast<double>(too_few);
     const double high = enough > 0 ? static_cast<double>(enough) : 8 * static_cast<double>(next);
-    const double guess = std::clamp(wanted, low * std::pow(high / low, 0.2), low * std::pow(high / low, 0.8));
+    const double guess =
+        std::clamp(wanted, low * std::pow(high / low, 0.2), low * std::pow(high / low, 0.8));
     next = std::clamp(static_cast<std::size_t>(std::lround(guess)), too_few + 1,
                       enough > 0 ? enough - 1 : most);
   }

@@ -59,9 +59,9 @@ struct SurfaceRemeshProgress {
 
 /// Edges of a mesh at which its surface turns.
 enum class Creases {
-  automatic,  ///< from 60 degrees on, continued by edges from 40 on, where what is around is smooth;
-              ///< none on scans
-  by_angle,   ///< from an angle on
+  automatic,  ///< from 60 degrees on, continued by edges from 40 on, where what is around is
+              ///< smooth; none on scans
+  by_angle,  ///< from an angle on
   none
 };
 
@@ -69,10 +69,10 @@ enum class Creases {
 /// The boundary always does.
 struct FeatureOptions {
   Creases creases = Creases::automatic;
-  double crease_angle = 40;                     ///< by_angle: degrees, above 0 and up to 180
-  std::vector<std::array<VertexId, 2>> edges;   ///< further ones, in any order
-  std::vector<std::uint32_t> groups;            ///< per triangle, or empty: borders between them
-  std::vector<VertexId> fixed_vertices;         ///< become vertices of the remesh, in that place
+  double crease_angle = 40;                    ///< by_angle: degrees, above 0 and up to 180
+  std::vector<std::array<VertexId, 2>> edges;  ///< further ones, in any order
+  std::vector<std::uint32_t> groups;           ///< per triangle, or empty: borders between them
+  std::vector<VertexId> fixed_vertices;        ///< become vertices of the remesh, in that place
 };
 
 /// How fine: one of the two is given.
@@ -80,7 +80,8 @@ struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
   FeatureOptions features;
-  bool fit = true;  ///< move vertices off the surface in the end, where that brings the remesh closer
+  bool fit =
+      true;  ///< move vertices off the surface in the end, where that brings the remesh closer
   /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
   /// made from where they are.
   std::function<bool(const SurfaceRemeshProgress&)> progress;
@@ -104,7 +105,7 @@ struct SurfaceRemesh {
   std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
   std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
   std::size_t vertices_asked_for = 0;  ///< or what the edge length makes of it
-  bool interrupted = false;  ///< the progress callback ended the moving of sites
+  bool interrupted = false;            ///< the progress callback ended the moving of sites
   std::vector<SurfaceStep> steps;
   double energy = 0;  ///< integral over the surface of |x - vertex of its cell|^2, mesh units
   double energy_of_hexagonal_tiling = 0;  ///< of the plane, with as much area and as many cells
