@@ -242,8 +242,8 @@ double length_of_chords(const FineMesh& mesh, const Chain& chain, double spacing
 // Cuts a path into chains, at its corners.
 class ChainCutter {
  public:
-  ChainCutter(const FineMesh& mesh, double spacing, Chains& chains)
-      : mesh_(mesh), spacing_(spacing), chains_(chains) {}
+  ChainCutter(const SurfaceInput& input, double spacing, Chains& chains)
+      : features_(input.feature_edges), mesh_(input.fine), spacing_(spacing), chains_(chains) {}
 
   // A loop that is to have few sites keeps three corners or none: chains between one or two would
   // be too short for even spacing.
@@ -288,6 +288,7 @@ class ChainCutter {
       const bool is_alone = same.second - same.first == 1;
       chain.least_intervals = ends_of(chain)[0] == ends_of(chain)[1] ? 3 : is_alone ? 1 : 2;
       chain.of_chords = length_of_chords(mesh_, chain, spacing_);
+      if (is_feature(chain)) follow_curve(chain);
     }
   }
 
@@ -323,6 +324,32 @@ class ChainCutter {
       }
     }
   }
+  [[nodiscard]] bool is_feature(const Chain& chain) const {
+    return std::binary_search(features_.begin(), features_.end(),
+                              ascending(chain.vertices[0], chain.vertices[1]));
+  }
+
+  // Up to half as many intervals again where chords would leave the curve by much.
+  void follow_curve(Chain& chain) const {
+    constexpr double most_sag = 0.09;  // of a chord's length
+    const std::size_t ordinary = chain.intervals(spacing_);
+    const std::size_t most = std::min(ordinary + ordinary / 2, chain.vertices.size() - 1);
+    std::size_t count = ordinary;
+    while (count < most && largest_sag(chain, count) > most_sag) ++count;
+    if (count > ordinary) chain.of_chords = static_cast<double>(count) * spacing_;
+  }
+  [[nodiscard]] double largest_sag(const Chain& chain, std::size_t intervals) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < intervals; ++i) {
+      const double from = chain.place(i, intervals);
+      const double to = chain.place(i + 1, intervals);
+      const Vec3 a = point_at(mesh_, chain, from);
+      const Vec3 b = point_at(mesh_, chain, to);
+      const Vec3 middle = point_at(mesh_, chain, (from + to) / 2);
+      largest = std::max(largest, norm(middle - (a + b) / 2) / (to - from));
+    }
+    return largest;
+  }
   [[nodiscard]] Vec3 direction(const Chain& chain, std::size_t from, std::size_t to) const {
     return normalized(mesh_.positions[chain.vertices[to]] - mesh_.positions[chain.vertices[from]]);
   }
@@ -331,6 +358,7 @@ class ChainCutter {
     return ascending(chain.vertices.front(), chain.vertices.back());
   }
 
+  const std::vector<Edge>& features_;
   const FineMesh& mesh_;
   double spacing_;
   Chains& chains_;
@@ -472,7 +500,7 @@ Chains find_chains(const SurfaceInput& input, double spacing, bool may_have_pinh
   Network network(std::move(edges), input.fixed_vertices);
   chains.corners = network.nodes();
   chains.vertices.insert(chains.vertices.end(), chains.corners.begin(), chains.corners.end());
-  ChainCutter cutter(input.fine, spacing, chains);
+  ChainCutter cutter(input, spacing, chains);
   for (const auto& path : network.take_paths()) cutter.add_path(path);
   for (const auto& loop : network.take_loops()) cutter.add_loop(loop);
   cutter.count_intervals();

@@ -14,7 +14,8 @@ namespace geolloyd {
 struct Chain {
   std::vector<VertexId> vertices;  ///< from end to end; a loop ends where it begins
   std::vector<double> arc;         ///< per vertex: the length up to it, unit frame
-  double of_chords = 0;            ///< the length of chords about a spacing of the last level long
+  double of_chords = 0;            ///< the length of chords about a spacing of the last level long;
+                                   ///< up to half as much again on a feature that curves by more
   std::size_t least_intervals = 1;
   double first_step = 1;  ///< the first interval, in ordinary ones; longer beside an acute corner
   double last_step = 1;

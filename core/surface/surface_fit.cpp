@@ -123,7 +123,7 @@ class Fitter {
         mesh_.positions = start_;
         return false;
       }
-      const FitError error = project();
+      const FitError error = project_within(result.before.largest, before);
       if (!(error.sum_of_squares < result.after.sum_of_squares) ||
           error.largest > result.before.largest) {
         mesh_.positions = before;
@@ -132,6 +132,21 @@ class Fitter {
       result.after = error;
     }
     return true;
+  }
+
+  // Undoes moves about samples that are farther than that.
+  FitError project_within(double largest, const std::vector<Vec3>& before) {
+    FitError error = project();
+    constexpr int attempts = 5;
+    for (int attempt = 0; attempt < attempts && error.largest > largest; ++attempt) {
+      for (const Foot& foot : feet_) {
+        if (foot.triangle == no_id || norm(foot.away) <= largest) continue;
+        for (const VertexId v : mesh_.triangles[foot.triangle]) mesh_.positions[v] = before[v];
+      }
+      undo_bad_moves(before);
+      error = project();
+    }
+    return error;
   }
 
   [[nodiscard]] double mean_quality() const {

@@ -169,7 +169,7 @@ std::size_t about_how_many(double area, const SurfaceRemeshOptions& options) {
 }
 
 // Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
-// features a third of a spacing, so that cells follow them. The limit of vertices is for needles.
+// features 0.42 spacings, so that cells follow them. The limit of vertices is for needles.
 SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
                              const SurfaceRemeshOptions& options, Executor& executor) {
   double area = 0;
@@ -187,7 +187,7 @@ SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
   SurfaceInputOptions input;
   input.duplicates = edges.duplicates;
   input.longest_edge =
-      features.empty() ? 0.6 * std::sqrt(area / static_cast<double>(count)) : 0.35 * spacing;
+      features.empty() ? 0.6 * std::sqrt(area / static_cast<double>(count)) : 0.42 * spacing;
   input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh.vertex_count();
   input.features = features;
   input.fixed_vertices = options.features.fixed_vertices;

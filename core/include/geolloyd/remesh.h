@@ -61,7 +61,7 @@ struct SurfaceRemeshProgress {
 enum class Creases {
   automatic,  ///< from 60 degrees on, continued by edges from 40 on, where what is around is
               ///< smooth; none on scans
-  by_angle,  ///< from an angle on
+  by_angle,   ///< from an angle on
   none
 };
 
