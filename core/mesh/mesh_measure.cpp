@@ -29,6 +29,16 @@ std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> trian
   return areas;
 }
 
+// About a vertex, so that a mesh far from the origin loses no digits.
+double enclosed_volume(const Mesh& mesh) {
+  double six_fold = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3& o = mesh.positions.front();
+    six_fold += dot(mesh.positions[a] - o, cross(mesh.positions[b] - o, mesh.positions[c] - o));
+  }
+  return six_fold / 6;
+}
+
 double flatness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
   return longest > 0 ? norm(cross(b - a, c - a)) / (longest * longest) : 0;

@@ -20,6 +20,10 @@ Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> dupl
 /// surface's area.
 std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> triangle_area);
 
+/// What a closed surface encloses, cubic mesh units: positive where triangles are counterclockwise
+/// seen from outside.
+double enclosed_volume(const Mesh& mesh);
+
 /// How flat a triangle is: its height over its longest edge, divided by that edge. 0.866 where it
 /// is equilateral, 0 without area.
 double flatness(const Vec3& a, const Vec3& b, const Vec3& c);

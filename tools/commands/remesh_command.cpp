@@ -100,7 +100,7 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
 
   progress.stage("measuring the remesh");
   const Stopwatch judging;
-  result.figures = judge_remesh(loaded, remesh.mesh, scheduler);
+  result.figures = judge_remesh(loaded, remesh, scheduler);
   result.judge_seconds = judging.seconds();
 
   progress.stage("writing " + arguments.output.string());

@@ -150,11 +150,16 @@ std::string describe(const RemeshFigures& figures, double diagonal) {
   std::string text = describe(figures.quality);
   if (!figures.distance) return text;
   const DistanceFigures& distance = *figures.distance;
-  return text + fmt::format(
-                    "  {:<12}from the input to the remesh: mean {:.4g}, {:.4g} % of the diagonal; "
-                    "largest {:.4g}, {:.4g} %\n",
-                    "distance", distance.mean, 100 * distance.mean / diagonal, distance.largest,
-                    100 * distance.largest / diagonal);
+  text += fmt::format(
+      "  {:<12}from the input to the remesh: mean {:.4g}, {:.4g} % of the diagonal; "
+      "largest {:.4g}, {:.4g} %\n",
+      "distance", distance.mean, 100 * distance.mean / diagonal, distance.largest,
+      100 * distance.largest / diagonal);
+  if (figures.volume_error) {
+    text += continued(
+        fmt::format("volume inside: {:+.3g} % of the input's", 100 * *figures.volume_error));
+  }
+  return text;
 }
 
 std::string describe_cost(const LoadedInput& loaded, const SurfaceRemeshResult& result) {
@@ -266,6 +271,8 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["remesh"] = remesh_part(remesh);
   report["quality"] = quality_part(result.figures.quality);
   report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
+  report["remesh"]["volume_error_percent"] =
+      result.figures.volume_error ? Json(100 * *result.figures.volume_error) : Json(nullptr);
   report["fingerprint"] = fingerprint_text(remesh.fingerprint);
   report["seconds"] = seconds_part(loaded, result);
   report["memory_estimate_bytes"] = result.memory_estimate;

@@ -147,15 +147,25 @@ TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
   return timed;
 }
 
-RemeshFigures judge_remesh(const LoadedInput& loaded, const Mesh& remesh, Scheduler& scheduler) {
+RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remesh,
+                           Scheduler& scheduler) {
   constexpr std::size_t samples = 25'000;
   RemeshFigures figures;
-  figures.quality = measure_quality(remesh, find_edges(remesh, scheduler));
-  if (remesh.triangles.empty()) return figures;
+  figures.quality = measure_quality(remesh.mesh, find_edges(remesh.mesh, scheduler));
+  if (remesh.mesh.triangles.empty()) return figures;
   const Mesh& mesh = loaded.input.mesh();
   figures.samples = samples;
   figures.distance =
-      measure_distance_one_way(scheduler, mesh, loaded.edges, remesh, figures.samples);
+      measure_distance_one_way(scheduler, mesh, loaded.edges, remesh.mesh, figures.samples);
+  const MeshFacts& facts = loaded.input.facts;
+  const PartTopology parts = remesh.topology.total();
+  const bool is_closed = facts.boundary_edges + facts.non_manifold_edges +
+                             facts.inconsistent_edges + facts.duplicate_triangles ==
+                         0;
+  if (is_closed && remesh.is_manifold() && parts.boundary_loops == 0) {
+    const double volume = enclosed_volume(mesh);
+    if (volume != 0) figures.volume_error = enclosed_volume(remesh.mesh) / volume - 1;
+  }
   return figures;
 }
 

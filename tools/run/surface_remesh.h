@@ -56,9 +56,11 @@ struct RemeshFigures {
   MeshQuality quality;
   std::size_t samples = 0;                  ///< of the input
   std::optional<DistanceFigures> distance;  ///< from the input to the remesh, if that is a surface
+  std::optional<double> volume_error;       ///< share of the input's volume; if both are closed
 };
 
 /// Takes some tenths of a second, however large the input is.
-RemeshFigures judge_remesh(const LoadedInput& loaded, const Mesh& remesh, Scheduler& scheduler);
+RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remesh,
+                           Scheduler& scheduler);
 
 }  // namespace geolloyd
