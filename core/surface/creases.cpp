@@ -151,7 +151,7 @@ class LooseEnds {
       for (const VertexId v : edges.ends[e]) is_boundary_[v] = 1;
     }
     for (std::uint32_t i = 0; i < creases.size(); ++i) {
-      for (const VertexId v : edges.ends[creases[i]]) at_.push_back({v, i});
+      for (const VertexId v : edges.ends[creases[i]]) at_.emplace_back(v, i);
     }
     std::sort(at_.begin(), at_.end());
   }

@@ -22,6 +22,7 @@ std::vector<double> SiteBudgeter::wanted_free(double spacing) const {
   constexpr double least_closed = 4;
   const std::vector<Patch>& patches = surface_.patches.patches;
   std::vector<double> wanted;
+  wanted.reserve(patches.size());
   for (const Patch& patch : patches) {
     wanted.push_back(2 * patch.area / (root_3 * spacing * spacing) +
                      static_cast<double>(patch.euler_characteristic));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/surface/chains.h"
@@ -24,7 +26,10 @@ struct Refinement {
 struct Adjacency {
   std::array<RegionId, 2> sites;  ///< ascending
   PatchId patch = 0;
-  friend auto operator<=>(const Adjacency&, const Adjacency&) = default;
+  friend bool operator==(const Adjacency&, const Adjacency&) = default;
+  friend bool operator<(const Adjacency& a, const Adjacency& b) {
+    return std::pair(a.sites, a.patch) < std::pair(b.sites, b.patch);
+  }
 };
 
 /// Those along an edge of the mesh; ascending, and each once.
