@@ -95,12 +95,7 @@ class Fitter {
     FitResult result;
     result.before = project();
     find_reaches();
-    for (const double reluctance : {0.02, 0.05, 0.12, 0.3, 0.8, 2.0}) {
-      reluctance_ = reluctance;
-      mesh_.positions = start_;
-      if (reluctance > 0.02) project();
-      if (descend(quality, result)) break;
-    }
+    if (!try_all(quality - 0.0008, result)) try_all(quality - 0.005, result);
     for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
       result.moved += mesh_.positions[v] != start_[v] ? 1 : 0;
     }
@@ -110,16 +105,26 @@ class Fitter {
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return mesh_.positions[v] - start_[v]; }
 
  private:
-  // False where that made triangles less regular. As it was, where the first step is no descent.
-  bool descend(double quality, FitResult& result) {
+  // False where even the most reluctant moves make triangles less regular than that.
+  bool try_all(double least_quality, FitResult& result) {
+    for (const double reluctance : {0.02, 0.05, 0.12, 0.3, 0.8, 2.0, 8.0}) {
+      reluctance_ = reluctance;
+      mesh_.positions = start_;
+      project();
+      if (descend(least_quality, result)) return true;
+    }
+    return false;
+  }
+
+  // False where that makes triangles less regular. As it was, where the first step is no descent.
+  bool descend(double least_quality, FitResult& result) {
     constexpr int rounds = 3;
-    constexpr double most_lost = 0.005;
     result.after = result.before;
     for (int round = 0; round < rounds; ++round) {
       const std::vector<Vec3> before = mesh_.positions;
       move(solve());
       undo_bad_moves(before);
-      if (mean_quality() < quality - most_lost) {
+      if (mean_quality() < least_quality) {
         mesh_.positions = start_;
         return false;
       }
