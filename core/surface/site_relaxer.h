@@ -33,6 +33,8 @@ class SiteRelaxer {
   void sweep(const LevelMesh& level, LabelledSites& state);
   /// Moves free sites downhill; after an interrupt, only sweeps. Returns the energy.
   double relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations);
+  /// Gives the engine's memory back. Nothing is relaxed after that.
+  void release_engine() { engine_.reset(); }
   /// Moments of the cells after the last sweep.
   [[nodiscard]] std::span<const Moments> cells() const { return engine_->cells(); }
 

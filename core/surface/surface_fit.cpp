@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -24,28 +25,42 @@ struct Sample {
 };
 
 // Centroids of triangles, where there are many. Else with their corners: the rule is exact for
-// polynomials of degree 2.
-std::vector<Sample> draw_samples(const FineMesh& fine, std::span<const RegionId> labels,
-                                 std::size_t vertices) {
-  constexpr std::size_t per_vertex = 16;
-  const std::size_t stride =
-      std::max<std::size_t>(1, fine.triangle_count() / (per_vertex * vertices));
-  const bool has_corners = fine.triangle_count() < per_vertex * vertices;
-  const double share = has_corners ? 0.75 : static_cast<double>(stride);
-  std::vector<Sample> samples;
-  for (std::size_t t = 0; t < fine.triangle_count(); t += stride) {
-    const auto& [a, b, c] = fine.triangles[t];
-    const std::vector<Vec3>& p = fine.positions;
-    samples.push_back({(p[a] + p[b] + p[c]) / 3, share * fine.area[t], labels[a]});
+// polynomials of degree 2. Samples are not kept, for there are many.
+class Samples {
+ public:
+  Samples(const FineMesh& fine, std::span<const RegionId> labels, std::size_t vertices)
+      : fine_(fine),
+        labels_(labels),
+        has_corners_(fine.triangle_count() < per_vertex * vertices),
+        stride_(std::max<std::size_t>(1, fine.triangle_count() / (per_vertex * vertices))),
+        centroids_((fine.triangle_count() + stride_ - 1) / stride_) {}
+
+  [[nodiscard]] std::size_t size() const {
+    return centroids_ + (has_corners_ ? fine_.vertex_count() : 0);
   }
-  if (!has_corners) return samples;
-  for (VertexId v = 0; v < fine.vertex_count(); ++v) {
+  [[nodiscard]] Sample operator[](std::size_t i) const {
+    const std::vector<Vec3>& p = fine_.positions;
+    if (i < centroids_) {
+      const std::size_t t = i * stride_;
+      const auto& [a, b, c] = fine_.triangles[t];
+      const double share = has_corners_ ? 0.75 : static_cast<double>(stride_);
+      return {(p[a] + p[b] + p[c]) / 3, share * fine_.area[t], labels_[a]};
+    }
+    const auto v = static_cast<VertexId>(i - centroids_);
     double area = 0;
-    for (const TriangleId t : fine.triangles_at(v)) area += fine.area[t];
-    samples.push_back({fine.positions[v], area / 12, labels[v]});
+    for (const TriangleId t : fine_.triangles_at(v)) area += fine_.area[t];
+    return {p[v], area / 12, labels_[v]};
   }
-  return samples;
-}
+
+ private:
+  static constexpr std::size_t per_vertex = 16;
+
+  const FineMesh& fine_;
+  std::span<const RegionId> labels_;
+  bool has_corners_;
+  std::size_t stride_;
+  std::size_t centroids_;
+};
 
 // Where on the remesh a sample is projected to.
 struct Foot {
@@ -74,9 +89,7 @@ class Fitter {
  public:
   Fitter(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
          const Mesh& remesh, Executor& executor)
-      : held_(held),
-        samples_(draw_samples(input.fine, labels, remesh.vertex_count())),
-        executor_(executor) {
+      : held_(held), samples_(input.fine, labels, remesh.vertex_count()), executor_(executor) {
     mesh_.triangles = remesh.triangles;
     for (const Vec3& p : remesh.positions) mesh_.positions.push_back(input.frame.to_unit(p));
     at_ = bucket_sort<TriangleId>(executor, mesh_.positions.size(), mesh_.triangles.size(),
@@ -95,7 +108,9 @@ class Fitter {
     FitResult result;
     result.before = project();
     find_reaches();
-    if (!try_all(quality - 0.0008, result)) try_all(quality - 0.005, result);
+    if (!try_all({0.05, 0.3, 2.0}, quality - 0.0008, result)) {
+      try_all({0.02, 0.05, 0.12, 0.3, 0.8, 2.0}, quality - 0.005, result);
+    }
     for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
       result.moved += mesh_.positions[v] != start_[v] ? 1 : 0;
     }
@@ -106,8 +121,9 @@ class Fitter {
 
  private:
   // False where even the most reluctant moves make triangles less regular than that.
-  bool try_all(double least_quality, FitResult& result) {
-    for (const double reluctance : {0.02, 0.05, 0.12, 0.3, 0.8, 2.0, 8.0}) {
+  bool try_all(std::initializer_list<double> reluctances, double least_quality,
+               FitResult& result) {
+    for (const double reluctance : reluctances) {
       reluctance_ = reluctance;
       mesh_.positions = start_;
       project();
@@ -144,9 +160,11 @@ class Fitter {
     FitError error = project();
     constexpr int attempts = 5;
     for (int attempt = 0; attempt < attempts && error.largest > largest; ++attempt) {
-      for (const Foot& foot : feet_) {
-        if (foot.triangle == no_id || norm(foot.away) <= largest) continue;
-        for (const VertexId v : mesh_.triangles[foot.triangle]) mesh_.positions[v] = before[v];
+      for (std::size_t i = 0; i < foot_triangle_.size(); ++i) {
+        if (foot_triangle_[i] == no_id || std::sqrt(square_distance_[i]) <= largest) continue;
+        for (const VertexId v : mesh_.triangles[foot_triangle_[i]]) {
+          mesh_.positions[v] = before[v];
+        }
       }
       undo_bad_moves(before);
       error = project();
@@ -169,15 +187,18 @@ class Fitter {
   }
 
   FitError project() {
-    feet_.resize(samples_.size());
-    parallel_for(executor_, samples_.size(), 256,
-                 [&](std::size_t i) { feet_[i] = foot_of(samples_[i]); });
+    foot_triangle_.resize(samples_.size());
+    square_distance_.resize(samples_.size());
+    parallel_for(executor_, samples_.size(), 256, [&](std::size_t i) {
+      const Foot foot = foot_of(samples_[i]);
+      foot_triangle_[i] = foot.triangle;
+      square_distance_[i] = dot(foot.away, foot.away);
+    });
     FitError error;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (feet_[i].triangle == no_id) continue;
-      const double square = dot(feet_[i].away, feet_[i].away);
-      error.sum_of_squares += samples_[i].weight * square;
-      error.largest = std::max(error.largest, square);
+      if (foot_triangle_[i] == no_id) continue;
+      error.sum_of_squares += samples_[i].weight * square_distance_[i];
+      error.largest = std::max(error.largest, square_distance_[i]);
     }
     error.largest = std::sqrt(error.largest);
     return error;
@@ -187,18 +208,21 @@ class Fitter {
     Foot best;
     double least = std::numeric_limits<double>::infinity();
     for (const TriangleId t : at_[sample.near]) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      const Vec3& s = sample.point;
-      const auto [v, w] = weights_closest_to_origin(
-          {mesh_.positions[a] - s, mesh_.positions[b] - s, mesh_.positions[c] - s});
-      const double u = 1 - v - w;
-      const Vec3 away =
-          s - (u * mesh_.positions[a] + v * mesh_.positions[b] + w * mesh_.positions[c]);
-      if (dot(away, away) >= least) continue;
-      least = dot(away, away);
-      best = {t, {u, v, w}, away};
+      const Foot foot = foot_on(t, sample.point);
+      if (dot(foot.away, foot.away) >= least) continue;
+      least = dot(foot.away, foot.away);
+      best = foot;
     }
     return best;
+  }
+  [[nodiscard]] Foot foot_on(TriangleId t, const Vec3& point) const {
+    const auto& [ia, ib, ic] = mesh_.triangles[t];
+    const Vec3& a = mesh_.positions[ia];
+    const Vec3& b = mesh_.positions[ib];
+    const Vec3& c = mesh_.positions[ic];
+    const auto [v, w] = weights_closest_to_origin({a - point, b - point, c - point});
+    const double u = 1 - v - w;
+    return {t, {u, v, w}, point - (u * a + v * b + w * c)};
   }
 
   // Conjugate gradients on the normal equations, preconditioned by their blocks on the diagonal.
@@ -238,10 +262,16 @@ class Fitter {
     normal_.resize(mesh_.triangles.size());
     for (TriangleId t = 0; t < mesh_.triangles.size(); ++t) normal_[t] = normal_of(t);
     pull_.assign(mesh_.triangles.size(), {});
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const TriangleId t = feet_[i].triangle;
-      if (t != no_id) pull_[t].add(samples_[i], feet_[i], normal_[t]);
-    }
+    const auto on_triangle = bucket_sort<std::uint32_t>(
+        executor_, mesh_.triangles.size(), samples_.size(), [&](std::size_t i, auto&& put) {
+          if (foot_triangle_[i] != no_id) put(foot_triangle_[i], static_cast<std::uint32_t>(i));
+        });
+    parallel_for(executor_, mesh_.triangles.size(), 64, [&](std::size_t t) {
+      for (const std::uint32_t i : on_triangle[t]) {
+        const Sample sample = samples_[i];
+        pull_[t].add(sample, foot_on(static_cast<TriangleId>(t), sample.point), normal_[t]);
+      }
+    });
     // Where normals about a vertex leave a direction open, it does not move that way.
     constexpr double damping = 0.02;
     block_.assign(mesh_.positions.size(), Matrix3::Zero());
@@ -317,10 +347,10 @@ class Fitter {
   // from the surface.
   void find_reaches() {
     reach_.assign(mesh_.positions.size(), 0);
-    for (const Foot& foot : feet_) {
-      if (foot.triangle == no_id) continue;
-      for (const VertexId v : mesh_.triangles[foot.triangle]) {
-        reach_[v] = std::max(reach_[v], norm(foot.away));
+    for (std::size_t i = 0; i < foot_triangle_.size(); ++i) {
+      if (foot_triangle_[i] == no_id) continue;
+      for (const VertexId v : mesh_.triangles[foot_triangle_[i]]) {
+        reach_[v] = std::max(reach_[v], std::sqrt(square_distance_[i]));
       }
     }
   }
@@ -404,17 +434,18 @@ class Fitter {
   static constexpr double least_damping = 1e-30;
 
   std::size_t held_;
-  std::vector<Sample> samples_;
+  Samples samples_;
   Executor& executor_;
   Mesh mesh_;  // the remesh, unit frame
   std::vector<Vec3> start_;
   Bucketed<TriangleId> at_;  // triangles at a vertex
   double largest_cosine_ = 1;
-  std::vector<Vec3> vertex_normal_;  // per vertex: its normal at the start
-  std::vector<Foot> feet_;           // per sample
-  std::vector<Vec3> normal_;         // per triangle
-  std::vector<Pull> pull_;           // per triangle
-  std::vector<Matrix3> block_;       // per vertex
+  std::vector<Vec3> vertex_normal_;        // per vertex: its normal at the start
+  std::vector<TriangleId> foot_triangle_;  // per sample
+  std::vector<double> square_distance_;    // per sample
+  std::vector<Vec3> normal_;               // per triangle
+  std::vector<Pull> pull_;                 // per triangle
+  std::vector<Matrix3> block_;             // per vertex
   std::vector<double> damping_;
   double reluctance_ = 0;          // to move sideways, over that to move along the normal
   std::vector<double> stiffness_;  // per vertex, sideways

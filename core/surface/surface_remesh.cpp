@@ -85,6 +85,7 @@ class SurfaceRemesher {
 
  private:
   SurfaceRemesh remesh() {
+    relaxer_.release_engine();
     const SurfaceSites& sites = dualised_.state.sites;
     SurfaceRemesh result;
     result.vertices_asked_for = count_;

@@ -69,7 +69,7 @@ class Remesher {
 
   void check_memory(std::size_t vertices, SurfaceRemeshResult& result) {
     const std::uint64_t bytes = check_remesh_memory(
-        loaded_, vertices,
+        loaded_, vertices, options_.features,
         arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
         scheduler_);
     result.memory_estimate = std::max(result.memory_estimate, bytes);

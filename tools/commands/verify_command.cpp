@@ -105,7 +105,7 @@ void verify_remesh(const VerifyArguments& a) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
   const LoadedInput loaded = load_surface(a.start.mesh, scheduler, progress);
-  check_remesh_memory(loaded, a.vertices, std::nullopt, scheduler);
+  check_remesh_memory(loaded, a.vertices, {}, std::nullopt, scheduler);
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(

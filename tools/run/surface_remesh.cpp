@@ -11,6 +11,7 @@
 #include "core/formats/vertex_list.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/surface/creases.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/surface_remesh.h"
 #include "core/text/file_io.h"
@@ -25,12 +26,11 @@
 namespace geolloyd {
 namespace {
 
-// How many vertices the surface on which sites move has, about: edges longer than 0.6 spacings are
-// halved again and again (core/surface/split_edges.h).
-std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
+// How many vertices the surface on which sites move has, about: edges that are longer are halved
+// again and again (core/surface/split_edges.h).
+std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, double longest,
                                      Scheduler& scheduler) {
   const Mesh& mesh = loaded.input.mesh();
-  const double longest = 0.6 * std::sqrt(loaded.input.facts.area / static_cast<double>(vertices));
   const auto pieces = [&](VertexId a, VertexId b) {
     const double length = norm(mesh.positions[a] - mesh.positions[b]);
     double count = 1;
@@ -60,6 +60,20 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vert
   constexpr double diagonals = 1.7;
   constexpr double most = 1e12;
   return mesh.vertex_count() + static_cast<std::uint64_t>(std::min(most, diagonals * added));
+}
+
+// With features, edges are shorter (core/surface/surface_remesh.cpp). Whether there are any is only
+// asked where it makes a difference.
+std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
+                                     const FeatureOptions& features, Scheduler& scheduler) {
+  const double root = std::sqrt(loaded.input.facts.area / static_cast<double>(vertices));
+  const double spacing = std::sqrt(2 / std::sqrt(3.0)) * root;
+  const std::uint64_t without = estimate_fine_vertices(loaded, 0.6 * root, scheduler);
+  const std::uint64_t with = estimate_fine_vertices(loaded, 0.42 * spacing, scheduler);
+  if (with <= without + without / 8) return with;
+  const bool has_features =
+      !find_features(loaded.input.mesh(), loaded.edges, features, spacing, scheduler).empty();
+  return has_features ? with : without;
 }
 
 }  // namespace
@@ -109,6 +123,7 @@ std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_lengt
 }
 
 std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                  const FeatureOptions& features,
                                   const std::optional<PictureArguments>& picture,
                                   Scheduler& scheduler) {
   const Mesh& mesh = loaded.input.mesh();
@@ -116,7 +131,7 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   size.vertices = mesh.vertex_count();
   size.triangles = mesh.triangle_count();
   size.edges = loaded.edges.size();
-  size.fine_vertices = estimate_fine_vertices(loaded, vertices, scheduler);
+  size.fine_vertices = estimate_fine_vertices(loaded, vertices, features, scheduler);
   size.remesh_vertices = vertices;
   size.threads = scheduler.threads();
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);

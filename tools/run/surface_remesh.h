@@ -32,6 +32,7 @@ std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_lengt
 /// Bytes, of the whole run, with a picture if one will be drawn. Throws InvalidInput where they are
 /// more than there are.
 std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                  const FeatureOptions& features,
                                   const std::optional<PictureArguments>& picture,
                                   Scheduler& scheduler);
 

@@ -129,8 +129,8 @@ Bytes memory_to_run(const RunSize& s) {
 
 Bytes memory_to_remesh(const RemeshSize& s) {
   // Measured: 280 to 310 bytes for a vertex of the surface, with coarse meshes, labels and dual;
-  // and some 1000 for a site, most of them the last steps that it took.
-  const Bytes moving = 320 * s.fine_vertices + 1100 * s.remesh_vertices;
+  // and some 1600 for a site: the last steps that it took, and what fits it to the surface.
+  const Bytes moving = 320 * s.fine_vertices + 1700 * s.remesh_vertices;
   const Bytes vertices = s.remesh_vertices;
   const Bytes judging = scene_of_points(2 * vertices) + finding_edges(vertices, 2 * vertices);
   const Bytes picture = s.samples > 0 ? drawing(vertices, 2 * vertices, s.samples) : 0;
