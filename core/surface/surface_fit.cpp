@@ -121,8 +121,7 @@ class Fitter {
 
  private:
   // False where even the most reluctant moves make triangles less regular than that.
-  bool try_all(std::initializer_list<double> reluctances, double least_quality,
-               FitResult& result) {
+  bool try_all(std::initializer_list<double> reluctances, double least_quality, FitResult& result) {
     for (const double reluctance : reluctances) {
       reluctance_ = reluctance;
       mesh_.positions = start_;

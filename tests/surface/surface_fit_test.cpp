@@ -35,9 +35,9 @@ double volume_of(const Mesh& mesh) {
 // Vertices on a sphere leave all of the remesh inside; a fitted remesh has some of it outside, so
 // that nearly nothing is missing from its volume.
 TEST(SurfaceFit, OfASphereHasItsVolume) {
-  const Mesh sphere = icosphere(5000);
+  const Mesh sphere = icosphere(2000);
   const double volume = volume_of(sphere);
-  for (const std::size_t vertices : {50U, 300U}) {
+  for (const std::size_t vertices : {50U, 200U}) {
     const double missing = volume - volume_of(remesh_of(sphere, vertices, false).mesh);
     const double left = volume - volume_of(remesh_of(sphere, vertices, true).mesh);
     EXPECT_GT(missing, 0);
@@ -47,9 +47,9 @@ TEST(SurfaceFit, OfASphereHasItsVolume) {
 
 // All vertices as far outside as the others. A chord of a sphere with an edge of h sinks by h^2/8.
 TEST(SurfaceFit, OfASphereMovesOutward) {
-  const SurfaceRemesh remesh = remesh_of(icosphere(5000), 500, true);
-  EXPECT_EQ(remesh.vertices_fitted, 500U);
-  const double spacing = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * 500));
+  const SurfaceRemesh remesh = remesh_of(icosphere(2000), 300, true);
+  EXPECT_EQ(remesh.vertices_fitted, 300U);
+  const double spacing = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * 300));
   for (const Vec3& p : remesh.mesh.positions) {
     EXPECT_GT(norm(p), 1);
     EXPECT_LT(norm(p), 1 + spacing * spacing / 6);
@@ -67,9 +67,9 @@ TEST(SurfaceFit, LeavesFlatFacesFlat) {
 
 // Boundaries and features stay where they are.
 TEST(SurfaceFit, HoldsChains) {
-  for (const Mesh& mesh : {cylinder(1000, 1), sharp_prism(50)}) {
-    const SurfaceRemesh free = remesh_of(mesh, 400, false);
-    const SurfaceRemesh fitted = remesh_of(mesh, 400, true);
+  for (const Mesh& mesh : {cylinder(500, 1), sharp_prism(50)}) {
+    const SurfaceRemesh free = remesh_of(mesh, 150, false);
+    const SurfaceRemesh fitted = remesh_of(mesh, 150, true);
     ASSERT_EQ(free.chain_vertices, fitted.chain_vertices);
     EXPECT_GT(fitted.chain_vertices, 0U);
     for (std::size_t v = 0; v < free.chain_vertices; ++v) {

@@ -30,7 +30,7 @@ struct SurfaceRemeshArguments {
   std::filesystem::path mesh;
   FinenessArguments fineness;
   FeatureArguments features;
-  bool fit = true;
+  bool no_fit = false;
   EngineKind engine = EngineKind::parallel;
   ThreadArguments threads;
   PictureArguments picture;

@@ -31,7 +31,7 @@ class Remesher {
         scheduler_(scheduler),
         progress_(progress) {
     options_.features = read_features(arguments.features, loaded);
-    options_.fit = arguments.fit;
+    options_.fit = !arguments.no_fit;
   }
 
   void run(SurfaceRemeshResult& result) {
@@ -140,7 +140,7 @@ void add_remesh_command(CLI::App& program) {
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
   add_feature_options(*command, a->features);
-  command->add_flag("!--no-fit", a->fit,
+  command->add_flag("--no-fit", a->no_fit,
                     "Leave vertices on the surface of the input, instead of moving them\n"
                     "off it where that brings the triangles closer");
   add_engine_option(*command, a->engine);

@@ -191,7 +191,7 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
           {"fixed", a.features.fixed_file.string()},
-          {"fit", a.fit},
+          {"fit", !a.no_fit},
           {"engine", name_of(engine_names, a.engine)},
           {"threads", threads},
           {"backend", backend_part(a.engine, a.threads.backend)}};
