@@ -59,7 +59,7 @@ void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
 TEST(Features, OfACubeAreExact) {
   for (const std::uint32_t f : {1U, 5U}) {
     const Mesh solid = cube(12 * f * f);
-    for (const std::size_t vertices : {50U, 300U}) expect_exact(solid, 12, vertices);
+    for (const std::size_t vertices : {50U, 200U}) expect_exact(solid, 12, vertices);
   }
   const SurfaceRemesh remesh = remesh_of(cube(48), 300);
   for (const Vec3& corner : flat_box(1).positions) EXPECT_TRUE(has_vertex_at(remesh.mesh, corner));
@@ -73,9 +73,9 @@ TEST(Features, OfACubeOfFewVertices) {
 }
 
 TEST(Features, OfPrismsAreExact) {
-  for (const std::uint32_t sides : {3U, 5U, 6U}) {
+  for (const std::uint32_t sides : {3U, 6U}) {
     const double side = 2 * std::sin(std::numbers::pi / sides);
-    for (const std::size_t vertices : {100U, 250U}) {
+    for (const std::size_t vertices : {150U}) {
       expect_exact(sharp_prism(sides), sides * (2 * side + 2), vertices);
     }
   }
@@ -84,7 +84,7 @@ TEST(Features, OfPrismsAreExact) {
 // The two rims, and nothing on the smooth side. Chords of the rims are shorter than the rims.
 TEST(Features, OfACylinderWithCaps) {
   const Mesh cylinder = sharp_prism(200);
-  for (const std::size_t vertices : {200U, 300U}) {
+  for (const std::size_t vertices : {250U}) {
     const SurfaceRemesh remesh = remesh_of(cylinder, vertices);
     EXPECT_TRUE(remesh.has_input_topology());
     EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
@@ -110,7 +110,7 @@ TEST(Features, OfACone) {
 TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
   for (const double degrees : {10.0, 30.0}) {
     const Mesh wedge = sharp_wedge(degrees);
-    for (const std::size_t vertices : {150U, 300U}) {
+    for (const std::size_t vertices : {150U}) {
       const SurfaceRemesh remesh = remesh_of(wedge, vertices);
       EXPECT_TRUE(remesh.has_input_topology());
       EXPECT_NEAR(area_of(remesh.mesh), area_of(wedge), 1e-9);
