@@ -215,8 +215,8 @@ TEST_F(Remeshing, HasEdgesOfTheLengthAskedFor) {
 }
 
 TEST_F(Remeshing, StaysWithinATolerance) {
-  const nlohmann::json report = report_of("--tolerance 1%");
-  const double tolerance = 0.01 * report["input"]["bounding_diagonal"].get<double>();
+  const nlohmann::json report = report_of("--tolerance 3%");
+  const double tolerance = 0.03 * report["input"]["bounding_diagonal"].get<double>();
   EXPECT_LE(report["input_to_remesh"]["hausdorff"].get<double>(), tolerance);
   ASSERT_GE(report["trials"].size(), 2U);
   const auto vertices = report["remesh"]["vertices"].get<std::size_t>();

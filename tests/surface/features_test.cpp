@@ -134,11 +134,11 @@ TEST(Features, AreFoundFromAnAngleOn) {
   options.creases = Creases::by_angle;
   const double rim = 8 * 2 * std::sin(std::numbers::pi / 8);
   options.crease_angle = 40;
-  EXPECT_NEAR(feature_length(remesh_of(prism, 300, options)), 2 * rim + 16, 1e-9);
+  EXPECT_NEAR(feature_length(remesh_of(prism, 150, options)), 2 * rim + 16, 1e-9);
   options.crease_angle = 50;
-  EXPECT_NEAR(feature_length(remesh_of(prism, 300, options)), 2 * rim, 1e-9);
+  EXPECT_NEAR(feature_length(remesh_of(prism, 150, options)), 2 * rim, 1e-9);
   options.crease_angle = 100;
-  EXPECT_EQ(feature_length(remesh_of(prism, 300, options)), 0);
+  EXPECT_EQ(feature_length(remesh_of(prism, 150, options)), 0);
 }
 
 Mesh with_noise(Mesh mesh, double edges) {
@@ -190,19 +190,19 @@ TEST(Features, OfACreaseThatFades) {
 
 // On a sphere, which has no creases: its equator.
 TEST(Features, AreBordersBetweenGroups) {
-  const Mesh sphere = icosphere(5000);
+  const Mesh sphere = icosphere(2000);
   FeatureOptions options;
   for (const Triangle& t : sphere.triangles) {
     double height = 0;
     for (const VertexId v : t) height += sphere.positions[v].z();
     options.groups.push_back(height > 0 ? 1 : 0);
   }
-  const SurfaceRemesh remesh = remesh_of(sphere, 400, options);
+  const SurfaceRemesh remesh = remesh_of(sphere, 200, options);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
   EXPECT_NEAR(feature_length(remesh), 2 * std::numbers::pi, 0.8);
   for (const auto& edge : remesh.feature_edges) {
-    for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 0.06);
+    for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 0.1);
   }
 }
 
@@ -210,7 +210,7 @@ TEST(Features, AreEdgesThatAreGiven) {
   const Mesh plane = irregular_plane(800, 1);
   FeatureOptions options;
   for (VertexId v = 10; v < 16; ++v) options.edges.push_back({21 * (v + 1) + 10, 21 * v + 10});
-  const SurfaceRemesh remesh = remesh_of(plane, 500, options);
+  const SurfaceRemesh remesh = remesh_of(plane, 250, options);
   EXPECT_TRUE(remesh.has_input_topology());
   double length = 0;
   for (const auto& [a, b] : options.edges) {
@@ -243,13 +243,13 @@ TEST(Features, MustBeOfTheMesh) {
 }
 
 TEST(FixedVertices, AreVerticesOfTheRemesh) {
-  for (const Mesh& mesh : {creature(5000, 1), irregular_plane(2000, 1), cube(432)}) {
+  for (const Mesh& mesh : {creature(3000, 1), irregular_plane(500, 1), cube(300)}) {
     FeatureOptions options;
     for (VertexId v = 3; v < mesh.vertex_count(); v += 211) options.fixed_vertices.push_back(v);
     options.fixed_vertices.push_back(options.fixed_vertices.front());  // twice
-    const SurfaceRemesh remesh = remesh_of(mesh, 500, options);
+    const SurfaceRemesh remesh = remesh_of(mesh, 200, options);
     EXPECT_TRUE(remesh.has_input_topology());
-    EXPECT_EQ(remesh.mesh.vertex_count(), 500U);
+    EXPECT_EQ(remesh.mesh.vertex_count(), 200U);
     for (const VertexId v : options.fixed_vertices) {
       EXPECT_TRUE(has_vertex_at(remesh.mesh, mesh.positions[v])) << v;
     }

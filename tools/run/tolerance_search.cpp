@@ -51,18 +51,19 @@ ToleranceSearch search_within(double tolerance, std::size_t most, const LoadedIn
       too_few = next;
       nearest = distance;
     }
-    if (enough == 0 && next == most) {
-      throw InvalidInput(
-          fmt::format("--tolerance: the largest distance is {:.3g} with {} vertices still, and "
-                      "more than those are not tried; give a larger tolerance",
-                      nearest, most));
+    // Distance falls with the square of edges, so with the number of vertices.
+    const double wanted = static_cast<double>(next) * distance / tolerance;
+    constexpr double hopeless = 10;
+    if (enough == 0 && (next == most || wanted > hopeless * static_cast<double>(most))) {
+      throw InvalidInput(fmt::format(
+          "--tolerance: the largest distance is {:.3g} with {} vertices, and more than {} are not "
+          "tried; give a larger tolerance",
+          nearest, next, most));
     }
     const bool is_close = static_cast<double>(enough) <= close * static_cast<double>(too_few) ||
                           enough == too_few + 1;
     if (enough > 0 && is_close) return search;
-    // Distance falls with the square of edges, so with the number of vertices. Far from the
-    // bounds the middle serves better.
-    const double wanted = static_cast<double>(next) * distance / tolerance;
+    // Far from the bounds the middle serves better.
     const auto low = static_cast<double>(too_few);
     const double high = enough > 0 ? static_cast<double>(enough) : 8 * static_cast<double>(next);
     const double guess =
