@@ -25,7 +25,6 @@ class Path {
 
   [[nodiscard]] std::size_t size() const { return vertices_.size(); }
   [[nodiscard]] double length() const { return arc_.back(); }
-  [[nodiscard]] const std::vector<VertexId>& vertices() const { return vertices_; }
 
   /// Of a closed one: three sites on it would be closer together than they should.
   [[nodiscard]] bool is_pinhole(double spacing) const {

@@ -1,9 +1,7 @@
 #include "core/surface/creases.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 

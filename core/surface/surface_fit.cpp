@@ -124,14 +124,13 @@ class Fitter {
   bool try_all(std::initializer_list<double> reluctances, double least_quality, FitResult& result) {
     for (const double reluctance : reluctances) {
       reluctance_ = reluctance;
-      mesh_.positions = start_;
-      project();
       if (descend(least_quality, result)) return true;
     }
     return false;
   }
 
-  // False where that makes triangles less regular. As it was, where the first step is no descent.
+  // False where that makes triangles less regular; then all is as it was at the start. As it was,
+  // too, where the first step is no descent.
   bool descend(double least_quality, FitResult& result) {
     constexpr int rounds = 3;
     result.after = result.before;
@@ -141,6 +140,7 @@ class Fitter {
       undo_bad_moves(before);
       if (mean_quality() < least_quality) {
         mesh_.positions = start_;
+        project();
         return false;
       }
       const FitError error = project_within(result.before.largest, before);

@@ -75,7 +75,7 @@ struct FeatureOptions {
   std::vector<VertexId> fixed_vertices;        ///< become vertices of the remesh, in that place
 };
 
-/// How fine: one of the two is given.
+/// `vertex_count` or `edge_length` is given; the other one is 0.
 struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
