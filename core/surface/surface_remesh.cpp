@@ -197,6 +197,12 @@ SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
 
 }  // namespace
 
+double SurfaceRemesh::feature_length() const {
+  double length = 0;
+  for (const auto& [a, b] : feature_edges) length += norm(mesh.positions[a] - mesh.positions[b]);
+  return length;
+}
+
 bool SurfaceRemesh::is_manifold() const {
   return !mesh.triangles.empty() && topology.is_manifold();
 }

@@ -30,14 +30,6 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-double feature_length(const SurfaceRemesh& remesh) {
-  double length = 0;
-  for (const auto& [a, b] : remesh.feature_edges) {
-    length += norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]);
-  }
-  return length;
-}
-
 bool has_vertex_at(const Mesh& mesh, const Vec3& p) {
   return std::find(mesh.positions.begin(), mesh.positions.end(), p) != mesh.positions.end();
 }
@@ -51,7 +43,7 @@ void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
   const SurfaceRemesh remesh = remesh_of(solid, vertices);
   EXPECT_TRUE(remesh.has_input_topology()) << vertices;
   EXPECT_NEAR(area_of(remesh.mesh), area_of(solid), 1e-9) << vertices;
-  EXPECT_NEAR(feature_length(remesh), length, 1e-9) << vertices;
+  EXPECT_NEAR(remesh.feature_length(), length, 1e-9) << vertices;
   const std::size_t least = remesh.chain_vertices;
   EXPECT_EQ(remesh.mesh.vertex_count(), std::max(vertices, least)) << vertices;
 }
@@ -88,7 +80,7 @@ TEST(Features, OfACylinderWithCaps) {
     const SurfaceRemesh remesh = remesh_of(cylinder, vertices);
     EXPECT_TRUE(remesh.has_input_topology());
     EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
-    EXPECT_NEAR(feature_length(remesh), 4 * std::numbers::pi, 0.1);
+    EXPECT_NEAR(remesh.feature_length(), 4 * std::numbers::pi, 0.1);
     for (std::size_t v = 0; v < remesh.chain_vertices; ++v) {
       const Vec3& p = remesh.mesh.positions[v];
       EXPECT_NEAR(std::abs(p.z()), 1, 1e-12);
@@ -100,7 +92,7 @@ TEST(Features, OfACylinderWithCaps) {
 TEST(Features, OfACone) {
   const SurfaceRemesh remesh = remesh_of(sharp_cone(100), 400);
   EXPECT_TRUE(remesh.has_input_topology());
-  EXPECT_NEAR(feature_length(remesh), 2 * std::numbers::pi, 0.05);
+  EXPECT_NEAR(remesh.feature_length(), 2 * std::numbers::pi, 0.05);
   for (const auto& edge : remesh.feature_edges) {
     for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 1e-12);
   }
@@ -134,11 +126,11 @@ TEST(Features, AreFoundFromAnAngleOn) {
   options.creases = Creases::by_angle;
   const double rim = 8 * 2 * std::sin(std::numbers::pi / 8);
   options.crease_angle = 40;
-  EXPECT_NEAR(feature_length(remesh_of(prism, 150, options)), 2 * rim + 16, 1e-9);
+  EXPECT_NEAR(remesh_of(prism, 150, options).feature_length(), 2 * rim + 16, 1e-9);
   options.crease_angle = 50;
-  EXPECT_NEAR(feature_length(remesh_of(prism, 150, options)), 2 * rim, 1e-9);
+  EXPECT_NEAR(remesh_of(prism, 150, options).feature_length(), 2 * rim, 1e-9);
   options.crease_angle = 100;
-  EXPECT_EQ(feature_length(remesh_of(prism, 150, options)), 0);
+  EXPECT_EQ(remesh_of(prism, 150, options).feature_length(), 0);
 }
 
 Mesh with_noise(Mesh mesh, double edges) {
@@ -200,7 +192,7 @@ TEST(Features, AreBordersBetweenGroups) {
   const SurfaceRemesh remesh = remesh_of(sphere, 200, options);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
-  EXPECT_NEAR(feature_length(remesh), 2 * std::numbers::pi, 0.8);
+  EXPECT_NEAR(remesh.feature_length(), 2 * std::numbers::pi, 0.8);
   for (const auto& edge : remesh.feature_edges) {
     for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 0.1);
   }
@@ -216,7 +208,7 @@ TEST(Features, AreEdgesThatAreGiven) {
   for (const auto& [a, b] : options.edges) {
     length += norm(plane.positions[a] - plane.positions[b]);
   }
-  EXPECT_NEAR(feature_length(remesh), length, 0.1 * length);
+  EXPECT_NEAR(remesh.feature_length(), length, 0.1 * length);
   EXPECT_TRUE(has_vertex_at(remesh.mesh, plane.positions[21 * 10 + 10]));
   EXPECT_TRUE(has_vertex_at(remesh.mesh, plane.positions[21 * 16 + 10]));
 }

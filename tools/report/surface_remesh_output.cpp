@@ -83,14 +83,6 @@ std::string find_flaw(const SurfaceRemesh& remesh) {
   return flaw;
 }
 
-double feature_length(const SurfaceRemesh& remesh) {
-  double length = 0;
-  for (const auto& [a, b] : remesh.feature_edges) {
-    length += norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]);
-  }
-  return length;
-}
-
 std::string describe(const std::vector<ToleranceTrial>& trials, double diagonal) {
   if (trials.empty()) return "";
   std::string text;
@@ -127,7 +119,7 @@ std::string describe(const SurfaceRemesh& remesh) {
   if (!remesh.feature_edges.empty()) {
     text += continued(fmt::format("{} of length {:.6g} run along features of the input",
                                   counted(remesh.feature_edges.size(), "edge", "edges"),
-                                  feature_length(remesh)));
+                                  remesh.feature_length()));
   }
   if (remesh.pinholes > 0) {
     text += continued(counted(remesh.pinholes, "hole smaller than a triangle is a missing triangle",
@@ -214,7 +206,7 @@ Json remesh_part(const SurfaceRemesh& remesh) {
           {"surplus_vertices", vertices - wanted},
           {"chain_vertices", remesh.chain_vertices},
           {"feature_edges", remesh.feature_edges.size()},
-          {"feature_length", feature_length(remesh)},
+          {"feature_length", remesh.feature_length()},
           {"pinholes", remesh.pinholes},
           {"edges_flipped", remesh.edges_flipped},
           {"vertices_fitted", remesh.vertices_fitted},

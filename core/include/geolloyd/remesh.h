@@ -118,6 +118,8 @@ struct SurfaceRemesh {
   std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
   std::uint64_t fingerprint = 0;    ///< of the whole course; the same on every machine
 
+  /// Of feature_edges together, mesh units.
+  [[nodiscard]] double feature_length() const;
   /// False also without triangles.
   [[nodiscard]] bool is_manifold() const;
   /// Each part has the Euler characteristic and the boundary loops of one of surface_parts.
