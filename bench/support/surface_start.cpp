@@ -24,7 +24,7 @@ std::vector<double> spacings_of_levels(const SiteBudgeter& budgeter, std::size_t
 
 double energy_of(const SurfaceInput& input, const LabelledSites& state,
                  std::span<const Moments> cells) {
-  const MomentUnit unit(input.fine.whole_area);
+  const MomentUnit unit(input.fine.whole_mass);
   double energy = 0;
   for (std::size_t r = 0; r < cells.size(); ++r) {
     energy += unit.energy(cells[r], state.sites.positions[r]);

@@ -9,20 +9,20 @@
 namespace geolloyd {
 namespace {
 
+// Calls take() on each line that says something; that is to read all of it.
+template <class Take>
+void for_each_line(TextCursor& cursor, std::string_view what, Take&& take) {
+  for (cursor.skip_empty_lines('#'); !cursor.at_end(); cursor.skip_empty_lines('#')) {
+    take();
+    if (!cursor.at_line_end()) cursor.fail("expected " + std::string(what) + " and no more");
+    cursor.next_line();
+  }
+}
+
 class VertexReader {
  public:
   VertexReader(std::string_view text, std::string_view name, const Mesh& mesh)
       : cursor_(text, name), is_used_(referenced_vertices(mesh)) {}
-
-  /// Calls take() on each line that says something; that is to read all of it.
-  template <class Take>
-  void for_each_line(std::string_view what, Take&& take) {
-    for (cursor_.skip_empty_lines('#'); !cursor_.at_end(); cursor_.skip_empty_lines('#')) {
-      take();
-      if (!cursor_.at_line_end()) cursor_.fail("expected " + std::string(what) + " and no more");
-      cursor_.next_line();
-    }
-  }
 
   VertexId vertex() {
     const std::int64_t id = cursor_.integer("a vertex");
@@ -37,7 +37,7 @@ class VertexReader {
     return static_cast<VertexId>(id);
   }
 
-  [[noreturn]] void fail(const std::string& message) const { cursor_.fail(message); }
+  TextCursor& cursor() { return cursor_; }
 
  private:
   TextCursor cursor_;
@@ -50,7 +50,7 @@ std::vector<VertexId> parse_vertex_list(std::string_view text, std::string_view 
                                         const Mesh& mesh) {
   VertexReader reader(text, name, mesh);
   std::vector<VertexId> vertices;
-  reader.for_each_line("a vertex", [&] { vertices.push_back(reader.vertex()); });
+  for_each_line(reader.cursor(), "a vertex", [&] { vertices.push_back(reader.vertex()); });
   return vertices;
 }
 
@@ -58,16 +58,36 @@ std::vector<std::array<VertexId, 2>> parse_edge_list(std::string_view text, std:
                                                      const Mesh& mesh, const MeshEdges& edges) {
   VertexReader reader(text, name, mesh);
   std::vector<std::array<VertexId, 2>> found;
-  reader.for_each_line("two vertices", [&] {
+  for_each_line(reader.cursor(), "two vertices", [&] {
     const VertexId a = reader.vertex();
     const VertexId b = reader.vertex();
     if (!std::binary_search(edges.ends.begin(), edges.ends.end(), ascending(a, b))) {
-      reader.fail("the mesh has no edge from vertex " + std::to_string(a) + " to vertex " +
-                  std::to_string(b));
+      reader.cursor().fail("the mesh has no edge from vertex " + std::to_string(a) + " to vertex " +
+                           std::to_string(b));
     }
     found.push_back(ascending(a, b));
   });
   return found;
+}
+
+std::vector<double> parse_vertex_values(std::string_view text, std::string_view name,
+                                        std::size_t vertex_count) {
+  TextCursor cursor(text, name);
+  std::vector<double> values;
+  values.reserve(vertex_count);
+  for_each_line(cursor, "a number", [&] {
+    if (values.size() == vertex_count) {
+      cursor.fail("more numbers than the mesh has vertices (" + std::to_string(vertex_count) + ")");
+    }
+    const double value = cursor.real("a number");
+    if (!is_usable(value) || !(value > 0)) cursor.fail("expected a number above 0, and finite");
+    values.push_back(value);
+  });
+  if (values.size() != vertex_count) {
+    cursor.fail("the file ends after " + std::to_string(values.size()) +
+                " numbers, but the mesh has " + std::to_string(vertex_count) + " vertices");
+  }
+  return values;
 }
 
 }  // namespace geolloyd

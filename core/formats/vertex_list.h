@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -8,9 +9,9 @@
 
 namespace geolloyd {
 
-// Text files that name vertices of a mesh, counted from 0. Blank lines and lines beginning with '#'
-// are skipped. Each throws InvalidInput, naming the line, where one is malformed or names a vertex
-// that no triangle has. The file holds `text`; `name` opens every message.
+// Text files about vertices of a mesh, which are counted from 0. Blank lines and lines beginning
+// with '#' are skipped. Each throws InvalidInput, naming the line, where one is malformed or names
+// a vertex that no triangle has. The file holds `text`; `name` opens every message.
 
 /// A vertex a line.
 std::vector<VertexId> parse_vertex_list(std::string_view text, std::string_view name,
@@ -19,5 +20,9 @@ std::vector<VertexId> parse_vertex_list(std::string_view text, std::string_view 
 /// An edge a line: its two vertices. Throws also where the mesh has no such edge.
 std::vector<std::array<VertexId, 2>> parse_edge_list(std::string_view text, std::string_view name,
                                                      const Mesh& mesh, const MeshEdges& edges);
+
+/// A number a line, finite and above 0, for each vertex in turn.
+std::vector<double> parse_vertex_values(std::string_view text, std::string_view name,
+                                        std::size_t vertex_count);
 
 }  // namespace geolloyd

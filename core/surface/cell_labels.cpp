@@ -72,6 +72,22 @@ void fill_gaps(const FineMesh& mesh, std::span<const Vec3> sites, std::vector<Re
   }
 }
 
+std::vector<double> resolution_at_sites(const FineMesh& mesh, std::size_t sites,
+                                        std::span<const RegionId> labels) {
+  if (mesh.resolution.empty()) return {};
+  std::vector<double> resolution(sites, 0);
+  std::vector<std::uint32_t> count(sites, 0);
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    if (labels[v] == no_id) continue;
+    resolution[labels[v]] += mesh.resolution[v];
+    ++count[labels[v]];
+  }
+  for (std::size_t r = 0; r < sites; ++r) {
+    resolution[r] = count[r] > 0 ? resolution[r] / count[r] : 1;
+  }
+  return resolution;
+}
+
 std::vector<FarthestVertex> farthest_vertices(const FineMesh& mesh, std::span<const Vec3> sites,
                                               std::span<const std::uint8_t> is_fixed,
                                               std::span<const RegionId> labels) {

@@ -19,6 +19,11 @@ void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std
 /// without.
 void fill_gaps(const FineMesh& mesh, std::span<const Vec3> sites, std::vector<RegionId>& labels);
 
+/// Per site: the mean resolution of the vertices of its cell, 1 where it has none. Empty where the
+/// mesh has no resolution.
+std::vector<double> resolution_at_sites(const FineMesh& mesh, std::size_t sites,
+                                        std::span<const RegionId> labels);
+
 /// Per site: the vertex of its cell, not fixed, that is farthest from it, and the square of that
 /// distance; of equals, the smallest. no_id where it has none.
 struct FarthestVertex {

@@ -13,7 +13,7 @@ namespace geolloyd {
 inline Moments moments_of(const FineMesh& mesh, const MomentUnit& unit, TriangleId t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return unit.round(
-      moments_of_triangle(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.area[t]));
+      moments_of_triangle(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.mass(t)));
 }
 
 /// The site that has of a triangle what other sites do not cut off: that of two corners or more,
@@ -67,12 +67,12 @@ struct InTriangle {
 /// A triangle with the labels of its corners, which are not all the same.
 struct CutTriangle {
   Vec3 corner[3];
-  double area;
+  double mass;
   RegionId at[3] = {};
   Sites others;  ///< labels of the vertices beyond its edges that are no corner's
 
   CutTriangle(const FineMesh& mesh, TriangleId t, std::span<const RegionId> labels)
-      : area(mesh.area[t]) {
+      : mass(mesh.mass(t)) {
     const Triangle& corners = mesh.triangles[t];
     for (std::size_t c = 0; c < 3; ++c) {
       corner[c] = mesh.positions[corners[c]];
@@ -155,7 +155,7 @@ class Polygon {
       const InTriangle& r = vertex_[i];
       const double share = (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
       const PieceMoments more = moments_of_triangle(triangle.point(p), triangle.point(q),
-                                                    triangle.point(r), share * triangle.area);
+                                                    triangle.point(r), share * triangle.mass);
       sum.area += more.area;
       sum.first += more.first;
       sum.second += more.second;
@@ -232,7 +232,7 @@ bool cut_corner_off(const CutTriangle& triangle, std::size_t odd, const MomentUn
   if (!triangle.others_own_none({p, on_q, on_r, q, r}, {own, own, own, main, main}, sites)) {
     return false;
   }
-  emit(own, unit.round(moments_of_triangle(p, on_q, on_r, to_q * to_r * triangle.area)));
+  emit(own, unit.round(moments_of_triangle(p, on_q, on_r, to_q * to_r * triangle.mass)));
   return true;
 }
 

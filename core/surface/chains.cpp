@@ -19,17 +19,21 @@ class Path {
   Path(const FineMesh& mesh, std::vector<VertexId> vertices, bool is_closed)
       : mesh_(mesh), vertices_(std::move(vertices)), is_closed_(is_closed), arc_(1, 0) {
     for (std::size_t i = 0; i < edges(); ++i) {
-      arc_.push_back(arc_.back() + norm(position(i + 1) - position(i)));
+      const double edge = norm(position(i + 1) - position(i));
+      length_ += edge;
+      arc_.push_back(arc_.back() + edge * ((resolution(i) + resolution(i + 1)) / 2));
     }
   }
 
   [[nodiscard]] std::size_t size() const { return vertices_.size(); }
-  [[nodiscard]] double length() const { return arc_.back(); }
+  /// Counted by the resolution.
+  [[nodiscard]] double sized_length() const { return arc_.back(); }
 
   /// Of a closed one: three sites on it would be closer together than they should.
   [[nodiscard]] bool is_pinhole(double spacing) const {
     constexpr double least_share = 0.6;  // of a spacing
-    const double third = length() / 3;
+    spacing /= resolution(0);
+    const double third = length_ / 3;
     if (third < least_share * spacing) return true;
     if (third > 1.5 * spacing) return false;
     const Vec3 a = position(0);
@@ -38,14 +42,16 @@ class Path {
     return std::min({norm(a - b), norm(b - c), norm(c - a)}) < least_share * spacing;
   }
 
-  /// Places in `vertices` at which it turns most sharply within `reach`, ascending; no ends.
-  [[nodiscard]] std::vector<std::size_t> corners(double reach) const {
+  /// Places in `vertices` at which it turns most sharply within half a spacing, ascending; no ends.
+  [[nodiscard]] std::vector<std::size_t> corners(double spacing) const {
+    const auto reach_at = [&](std::size_t i) { return spacing / 2 / resolution(i); };
     const std::size_t first = is_closed_ ? 0 : 1;
     const std::size_t last = is_closed_ ? size() : size() - 1;
     std::vector<double> turn(size(), 1);  // cosine
-    for (std::size_t i = first; i < last; ++i) turn[i] = cosine_of_turn(i, reach);
+    for (std::size_t i = first; i < last; ++i) turn[i] = cosine_of_turn(i, reach_at(i));
     std::vector<std::size_t> found;
     for (std::size_t i = first; i < last; ++i) {
+      const double reach = reach_at(i);
       if (is_corner(turn[i], i, reach) && is_sharpest(turn, i, reach)) found.push_back(i);
     }
     return found;
@@ -67,6 +73,9 @@ class Path {
   [[nodiscard]] const Vec3& position(std::size_t i) const {
     return mesh_.positions[vertices_[i % size()]];
   }
+  [[nodiscard]] double resolution(std::size_t i) const {
+    return mesh_.resolution_at(vertices_[i % size()]);
+  }
   // Whether it goes on from vertex i; else that is an end.
   [[nodiscard]] bool goes_on(std::size_t i, bool forward) const {
     return is_closed_ || i != (forward ? size() - 1 : 0);
@@ -75,9 +84,9 @@ class Path {
   // At `way` along the path from vertex i, or at its end; negative: backward.
   [[nodiscard]] Vec3 point_at(std::size_t i, double way) const {
     const std::size_t step = way > 0 ? 1 : size() - 1;
-    if (!(length() > 0)) return position(i);
+    if (!(length_ > 0)) return position(i);
     double left = std::abs(way);
-    if (left >= length()) left = std::fmod(left, length());  // which is exact
+    if (left >= length_) left = std::fmod(left, length_);  // which is exact
     while (goes_on(i, way > 0)) {
       const std::size_t next = (i + step) % size();
       const double edge = norm(position(next) - position(i));
@@ -124,6 +133,7 @@ class Path {
   const FineMesh& mesh_;
   std::vector<VertexId> vertices_;
   bool is_closed_;
+  double length_ = 0;
   std::vector<double> arc_;
 };
 
@@ -208,13 +218,24 @@ class Network {
   std::vector<std::uint8_t> is_done_;
 };
 
-Vec3 point_at(const FineMesh& mesh, const Chain& chain, double at) {
+// The edge on which the place `at` is.
+std::size_t edge_at(const Chain& chain, double at) {
   const auto above = std::upper_bound(chain.arc.begin() + 1, chain.arc.end() - 1, at);
-  const auto edge = static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+  return static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+}
+
+Vec3 point_at(const FineMesh& mesh, const Chain& chain, double at) {
+  const std::size_t edge = edge_at(chain, at);
   const Vec3& a = mesh.positions[chain.vertices[edge]];
   const Vec3& b = mesh.positions[chain.vertices[edge + 1]];
   const double length = chain.arc[edge + 1] - chain.arc[edge];
   return length > 0 ? Vec3(a + (b - a) * ((at - chain.arc[edge]) / length)) : a;
+}
+
+double resolution_at(const FineMesh& mesh, const Chain& chain, double at) {
+  const std::size_t edge = edge_at(chain, at);
+  return (mesh.resolution_at(chain.vertices[edge]) + mesh.resolution_at(chain.vertices[edge + 1])) /
+         2;
 }
 
 // How often `spacing` goes into `length`, and no more than a chain has edges.
@@ -224,15 +245,17 @@ std::size_t intervals_of(const Chain& chain, double length, double spacing) {
   return std::clamp(round_to_whole(length / spacing), std::min(chain.least_intervals, most), most);
 }
 
-// Where even places, so many as there are spacings, are joined by straight lines.
+// Where even places, so many as there are spacings, are joined by straight lines; counted by the
+// resolution.
 double length_of_chords(const FineMesh& mesh, const Chain& chain, double spacing) {
   const std::size_t count = intervals_of(chain, chain.length(), spacing);
+  const auto place = [&](double i) { return chain.length() * i / static_cast<double>(count); };
   double sum = 0;
   Vec3 last = mesh.positions[chain.vertices.front()];
   for (std::size_t i = 1; i <= count; ++i) {
-    const Vec3 next =
-        point_at(mesh, chain, chain.length() * static_cast<double>(i) / static_cast<double>(count));
-    sum += norm(next - last);
+    const auto end = static_cast<double>(i);
+    const Vec3 next = point_at(mesh, chain, place(end));
+    sum += norm(next - last) * resolution_at(mesh, chain, place(end - 0.5));
     last = next;
   }
   return sum;
@@ -249,8 +272,8 @@ class ChainCutter {
   void add_loop(const std::vector<VertexId>& vertices) {
     constexpr double few = 6;  // spacings
     const Path loop(mesh_, vertices, true);
-    const std::vector<std::size_t> corners = loop.corners(spacing_ / 2);
-    if (corners.empty() || (corners.size() < 3 && loop.length() < few * spacing_)) {
+    const std::vector<std::size_t> corners = loop.corners(spacing_);
+    if (corners.empty() || (corners.size() < 3 && loop.sized_length() < few * spacing_)) {
       const std::size_t start = corners.empty() ? 0 : corners.front();
       chains_.chains.push_back(loop.chain(start, start + loop.size()));
       chains_.chains.back().is_loop = true;
@@ -268,7 +291,7 @@ class ChainCutter {
   void add_path(const std::vector<VertexId>& vertices) {
     const Path path(mesh_, vertices, false);
     std::size_t from = 0;
-    for (const std::size_t corner : path.corners(spacing_ / 2)) {
+    for (const std::size_t corner : path.corners(spacing_)) {
       chains_.chains.push_back(path.chain(from, corner));
       chains_.corners.push_back(vertices[corner]);
       from = corner;
@@ -345,7 +368,8 @@ class ChainCutter {
       const Vec3 a = point_at(mesh_, chain, from);
       const Vec3 b = point_at(mesh_, chain, to);
       const Vec3 middle = point_at(mesh_, chain, (from + to) / 2);
-      largest = std::max(largest, norm(middle - (a + b) / 2) / (to - from));
+      const double sag = norm(middle - (a + b) / 2) * resolution_at(mesh_, chain, (from + to) / 2);
+      largest = std::max(largest, sag / (to - from));
     }
     return largest;
   }
@@ -454,7 +478,7 @@ std::vector<std::uint8_t> find_roomy_parts(const SurfaceInput& input, double spa
   constexpr double room = 8;  // square spacings
   std::vector<double> area(input.parts, 0);
   for (TriangleId t = 0; t < input.fine.triangle_count(); ++t) {
-    area[input.part[input.fine.triangles[t][0]]] += input.fine.area[t];
+    area[input.part[input.fine.triangles[t][0]]] += input.fine.sized_area(t);
   }
   std::vector<std::uint8_t> is_roomy;
   is_roomy.reserve(area.size());

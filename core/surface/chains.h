@@ -13,7 +13,8 @@ namespace geolloyd {
 /// on it are evenly spaced and stay where they are.
 struct Chain {
   std::vector<VertexId> vertices;  ///< from end to end; a loop ends where it begins
-  std::vector<double> arc;         ///< per vertex: the length up to it, unit frame
+  std::vector<double> arc;         ///< per vertex: the length up to it, unit frame, counted by the
+                                   ///< resolution
   double of_chords = 0;            ///< the length of chords about a spacing of the last level long;
                                    ///< up to half as much again on a feature that curves by more
   std::size_t least_intervals = 1;

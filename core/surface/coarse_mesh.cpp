@@ -82,9 +82,11 @@ class Coarsener {
       if (root_[v] != v) result_.vertex_of[v] = result_.vertex_of[root_[v]];
     });
     result_.mesh.positions.assign(roots.size(), Vec3::Zero());
+    if (!finer_.resolution.empty()) result_.mesh.resolution.assign(roots.size(), 0);
   }
 
   void place_vertices() {
+    const bool has_resolution = !finer_.resolution.empty();
     std::vector<double> weight(result_.mesh.positions.size(), 0);
     for_runs([&](VertexId begin, VertexId end) {
       for (VertexId v = begin; v < end; ++v) {
@@ -93,10 +95,15 @@ class Coarsener {
         area += least_area;
         weight[result_.vertex_of[v]] += area;
         result_.mesh.positions[result_.vertex_of[v]] += area * finer_.positions[v];
+        if (has_resolution) {
+          result_.mesh.resolution[result_.vertex_of[v]] += area * finer_.resolution[v];
+        }
       }
     });
-    parallel_for(executor_, weight.size(), small_items,
-                 [&](std::size_t i) { result_.mesh.positions[i] /= weight[i]; });
+    parallel_for(executor_, weight.size(), small_items, [&](std::size_t i) {
+      result_.mesh.positions[i] /= weight[i];
+      if (has_resolution) result_.mesh.resolution[i] /= weight[i];
+    });
   }
 
   [[nodiscard]] Triangle merged(std::size_t t) const {

@@ -21,10 +21,10 @@ struct Coarsening {
 };
 
 /// Merges vertices that are in one cell of a grid and connected by edges within it, into one at
-/// their mean, weighted by area. Triangles of three such vertices stay, each once, and edges of two
-/// such vertices, also where no triangle is left at them, so that a thin limb stays connected.
-/// Cells are those of the spatial order of the finer mesh's vertices; the same order is that of the
-/// result.
+/// their mean, weighted by area, with the mean of their resolutions. Triangles of three such
+/// vertices stay, each once, and edges of two such vertices, also where no triangle is left at
+/// them, so that a thin limb stays connected. Cells are those of the spatial order of the finer
+/// mesh's vertices; the same order is that of the result.
 CoarseMesh coarsen(const FineMesh& finer, const Coarsening& coarsening,
                    Executor& executor = sequential());
 

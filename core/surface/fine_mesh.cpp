@@ -105,7 +105,13 @@ void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges)
 
 void connect(FineMesh& mesh, Executor& executor) {
   mesh.whole_area = 0;
-  for (const double area : mesh.area) mesh.whole_area += area;
+  mesh.whole_sized_area = 0;
+  mesh.whole_mass = 0;
+  for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+    mesh.whole_area += mesh.area[t];
+    mesh.whole_sized_area += mesh.sized_area(t);
+    mesh.whole_mass += mesh.mass(t);
+  }
   find_triangles_at_vertices(mesh, executor);
   find_neighbours(mesh, executor);
 }

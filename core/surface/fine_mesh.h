@@ -22,14 +22,18 @@ inline BoundingBox unit_box() {
 struct FineMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::vector<double> area;      ///< per triangle; 0 where it stands for no surface
-  std::vector<Triangle> across;  ///< per corner: the vertex beyond the edge opposite to it, or
+  std::vector<double> area;        ///< per triangle; 0 where it stands for no surface
+  std::vector<double> resolution;  ///< per vertex: how many times shorter than the spacing edges
+                                   ///< are to be there; empty: 1 everywhere
+  std::vector<Triangle> across;    ///< per corner: the vertex beyond the edge opposite to it, or
                                  ///< no_id where the edge does not have two triangles, or is closed
   std::vector<std::uint32_t> first_neighbour;  ///< per vertex, and one more
   std::vector<VertexId> neighbour;             ///< of each vertex, ascending
   std::vector<std::uint32_t> first_triangle;   ///< per vertex, and one more
   std::vector<TriangleId> triangle_at;         ///< around each vertex, ascending
   double whole_area = 0;
+  double whole_sized_area = 0;
+  double whole_mass = 0;
 
   [[nodiscard]] std::size_t vertex_count() const { return positions.size(); }
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size(); }
@@ -39,9 +43,29 @@ struct FineMesh {
   [[nodiscard]] std::span<const TriangleId> triangles_at(VertexId v) const {
     return {triangle_at.data() + first_triangle[v], triangle_at.data() + first_triangle[v + 1]};
   }
+  [[nodiscard]] double resolution_at(VertexId v) const {
+    return resolution.empty() ? 1 : resolution[v];
+  }
+  /// The mean of its corners'.
+  [[nodiscard]] double resolution_of(TriangleId t) const {
+    const auto& [a, b, c] = triangles[t];
+    return resolution.empty() ? 1 : (resolution[a] + resolution[b] + resolution[c]) / 3;
+  }
+  /// A triangle's area in proportion to the number of cells on it.
+  [[nodiscard]] double sized_area(TriangleId t) const {
+    const double r = resolution_of(t);
+    return area[t] * (r * r);
+  }
+  /// By which the energy counts a triangle: its area times a density, the fourth power of the
+  /// resolution, because the cells of a centroidal tessellation of the plane have sizes in
+  /// proportion to density^(-1/4) (Du, Faber and Gunzburger 1999, 6.4; Newman 1982).
+  [[nodiscard]] double mass(TriangleId t) const {
+    const double r = resolution_of(t);
+    return area[t] * ((r * r) * (r * r));
+  }
 };
 
-/// Positions, triangles and areas are there already; fills in what follows from them.
+/// Positions, triangles, areas and resolution are there already; fills in what follows from them.
 void connect(FineMesh& mesh, Executor& executor = sequential());
 
 /// Closes edges (ascending within): the free sites beyond them have no share of the triangles

@@ -22,6 +22,15 @@ std::vector<std::uint32_t> number_chains(const DividedSurface& surface) {
   return number;
 }
 
+// Grid cells of a fifth of the spacing: the energy measured on such a mesh is right but for some
+// thousandths. A patch so small that its least sites are closer together has smaller grid cells.
+std::uint8_t grid_level_for(double distance) {
+  constexpr double cell_share = 0.2;
+  std::uint8_t level = 0;
+  for (double cell = 2; cell > cell_share * distance && level < 21; cell /= 2) ++level;
+  return level;
+}
+
 }  // namespace
 
 LevelMesh fine_level(const DividedSurface& surface) {
@@ -47,24 +56,19 @@ LevelMeshes::LevelMeshes(const DividedSurface& surface, std::span<const double> 
   }
 }
 
-// Grid cells of a fifth of the spacing: the energy measured on such a mesh is right but for some
-// thousandths. A patch so small that its least sites are closer together has smaller grid cells.
 void LevelMeshes::add_coarser(double spacing, Executor& executor) {
-  constexpr double cell_share = 0.2;
   constexpr double least_sites = 4;
   constexpr double worth_while = 0.6;  // as many vertices, at most
-  std::vector<std::uint8_t> level_of_patch;
+  std::vector<double> distance_in;
   for (const Patch& patch : surface_.patches.patches) {
-    const double distance = std::min(spacing, std::sqrt(patch.area / least_sites));
-    std::uint8_t level = 0;
-    for (double cell = 2; cell > cell_share * distance && level < 21; cell /= 2) ++level;
-    level_of_patch.push_back(level);
+    distance_in.push_back(std::min(spacing, std::sqrt(patch.area / least_sites)));
   }
   const LevelMesh& finer = levels_.back();
   std::vector<std::uint8_t> grid_level(finer.patch.size());
-  for (std::size_t v = 0; v < grid_level.size(); ++v) {
-    grid_level[v] = level_of_patch[finer.patch[v]];
-  }
+  parallel_for(executor, grid_level.size(), small_items, [&](std::size_t v) {
+    grid_level[v] = grid_level_for(distance_in[finer.patch[v]] /
+                                   finer.mesh->resolution_at(static_cast<VertexId>(v)));
+  });
   CoarseMesh coarse = coarsen(*finer.mesh, {finer.chain, grid_level}, executor);
   const auto before = static_cast<double>(finer.mesh->vertex_count());
   if (static_cast<double>(coarse.mesh.vertex_count()) > worth_while * before) return;

@@ -8,7 +8,7 @@
 namespace geolloyd {
 
 /// Area, and the integrals of x and of |x|^2, over a piece of a surface, in the unit frame
-/// (fine_mesh.h). Doubles, for one piece.
+/// (fine_mesh.h); all counted by a density where sizes vary. Doubles, for one piece.
 struct PieceMoments {
   double area = 0;
   Vec3 first = Vec3::Zero();

@@ -68,7 +68,7 @@ class PatchFinder {
     std::vector<std::int64_t> doubled(result_.patches.size(), 0);  // an edge counts half per side
     for (TriangleId t = 0; t < fine_.triangle_count(); ++t) {
       const PatchId p = of_triangle_[t];
-      result_.patches[p].area += fine_.area[t];
+      result_.patches[p].area += fine_.sized_area(t);
       doubled[p] += 2;
       for (const VertexId beyond : fine_.across[t]) doubled[p] -= beyond != no_id ? 1 : 0;
     }

@@ -14,7 +14,7 @@ using PatchId = std::uint32_t;
 
 /// A piece of surface that boundary and features leave in one. No free site's cell leaves it.
 struct Patch {
-  double area = 0;                        ///< unit frame
+  double area = 0;                        ///< FineMesh::sized_area()
   std::int64_t euler_characteristic = 0;  ///< cut open along chains, pinholes closed
   bool is_closed = true;                  ///< no chain runs along it
 };

@@ -10,7 +10,7 @@ namespace {
 
 class ReferenceSurfaceEngine final : public SurfaceEngine {
  public:
-  explicit ReferenceSurfaceEngine(const FineMesh& mesh) : mesh_(mesh), unit_(mesh.whole_area) {}
+  explicit ReferenceSurfaceEngine(const FineMesh& mesh) : mesh_(mesh), unit_(mesh.whole_mass) {}
 
   void assign(std::vector<RegionId> labels, std::span<const std::uint8_t> is_fixed) override {
     labels_ = std::move(labels);

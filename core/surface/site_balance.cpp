@@ -16,7 +16,7 @@ class Balance {
         farthest_(farthest_vertices(*level.mesh, sites.positions, level.is_on_chain, labels)),
         energy_(sites.size(), 0),
         is_removed_(sites.size(), 0) {
-    const MomentUnit unit(level.mesh->whole_area);
+    const MomentUnit unit(level.mesh->whole_mass);
     for (RegionId r = 0; r < sites.size(); ++r) {
       if (cells[r].area > 0) energy_[r] = unit.energy(cells[r], sites.positions[r]);
     }

@@ -5,13 +5,9 @@
 #include <numeric>
 
 #include "core/base/rounding.h"
+#include "core/surface/sizing.h"
 
 namespace geolloyd {
-namespace {
-
-constexpr double root_3 = 1.7320508075688772;
-
-}  // namespace
 
 std::size_t SiteBudget::total() const {
   return std::accumulate(free.begin(), free.end(), on_chains);
@@ -24,7 +20,7 @@ std::vector<double> SiteBudgeter::wanted_free(double spacing) const {
   std::vector<double> wanted;
   wanted.reserve(patches.size());
   for (const Patch& patch : patches) {
-    wanted.push_back(2 * patch.area / (root_3 * spacing * spacing) +
+    wanted.push_back(sites_at(patch.area, spacing) +
                      static_cast<double>(patch.euler_characteristic));
   }
   for (std::size_t i = 0; i < surface_.chains.chains.size(); ++i) {

@@ -46,7 +46,7 @@ class Descent {
  public:
   Descent(const FineMesh& mesh, SurfaceEngine& engine, std::size_t site_count,
           const DescentOptions& options, Executor& executor)
-      : unit_(mesh.whole_area),
+      : unit_(mesh.whole_mass),
         engine_(engine),
         options_(options),
         executor_(executor),
@@ -142,10 +142,13 @@ class Descent {
   [[nodiscard]] Vectors limited(Vectors direction) {
     for_sites([&](std::size_t i) {
       const double length = norm(direction[i]);
+      const double longest = options_.resolution.empty()
+                                 ? options_.longest_move
+                                 : options_.longest_move / options_.resolution[i];
       if (options_.stays[i] != 0) {
         direction[i].setZero();
-      } else if (length > options_.longest_move) {
-        direction[i] *= options_.longest_move / length;
+      } else if (length > longest) {
+        direction[i] *= longest / length;
       }
     });
     return direction;

@@ -13,8 +13,9 @@ namespace geolloyd {
 struct DescentOptions {
   std::span<const std::uint8_t> stays;  ///< per site: not 0 where it must not move
   std::size_t most_iterations = 0;
-  double longest_move = 0;  ///< of a site in one step, unit frame
-  double least_gain = 0;    ///< ends where ten iterations lower the energy by a smaller share
+  double longest_move = 0;  ///< of a site in one step, unit frame, where the resolution is 1
+  std::span<const double> resolution;  ///< per site; empty: 1
+  double least_gain = 0;  ///< ends where ten iterations lower the energy by a smaller share
   /// Told the energy after each iteration; false ends the descent.
   std::function<bool(double energy)> keep_going;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/random.h"
+#include "core/surface/cell_labels.h"
 #include "core/surface/level_mesh.h"
 #include "core/surface/site_balance.h"
 #include "core/surface/site_refinement.h"
@@ -91,7 +92,7 @@ class LevelByLevel {
     const std::uint64_t attempts = attempts_with(state_.sites.size());
     for (std::uint64_t attempt = 1; attempt <= attempts; ++attempt) {
       LabelledSites shaken = state_;
-      shake(shaken.sites, spacing, attempt);
+      shake(shaken, spacing, attempt);
       const double reached = relaxer_.relax(*on_, shaken, iterations_on(*on_));
       if (reached >= energy) continue;
       energy = reached;
@@ -99,13 +100,17 @@ class LevelByLevel {
     }
   }
 
-  static void shake(SurfaceSites& sites, double spacing, std::uint64_t attempt) {
+  void shake(LabelledSites& state, double spacing, std::uint64_t attempt) const {
     constexpr double share = 0.3;  // of a spacing, along each axis, at most
+    SurfaceSites& sites = state.sites;
+    const std::vector<double> resolution =
+        resolution_at_sites(*on_->mesh, sites.size(), state.labels);
     for (std::size_t r = 0; r < sites.size(); ++r) {
       if (sites.stays[r] != 0) continue;
+      const double reach = share * (resolution.empty() ? spacing : spacing / resolution[r]);
       for (int axis = 0; axis < 3; ++axis) {
         const double unit = random_unit(attempt, 3 * r + static_cast<std::size_t>(axis));
-        sites.positions[r][axis] += share * spacing * (2 * unit - 1);
+        sites.positions[r][axis] += reach * (2 * unit - 1);
       }
     }
   }

@@ -17,7 +17,7 @@ struct VertexAreas {
   void add(const FineMesh& mesh, VertexId v) {
     constexpr double least = 1e-30;  // so that no two vertices are in one place of the sum
     double area = least;
-    for (const TriangleId t : mesh.triangles_at(v)) area += mesh.area[t] / 3;
+    for (const TriangleId t : mesh.triangles_at(v)) area += mesh.sized_area(t) / 3;
     vertices.push_back(v);
     up_to.push_back(up_to.back() + area);
   }

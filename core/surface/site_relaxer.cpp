@@ -10,10 +10,10 @@
 namespace geolloyd {
 
 SiteRelaxer::SiteRelaxer(const MakeSurfaceEngine& make_engine, const SurfaceRemeshOptions& options,
-                         double surface_area, double to_mesh_units, Executor& executor)
+                         double sized_area, double to_mesh_units, Executor& executor)
     : make_engine_(make_engine),
       options_(options),
-      surface_area_(surface_area),
+      sized_area_(sized_area),
       to_mesh_units_(to_mesh_units),
       executor_(executor) {}
 
@@ -40,10 +40,13 @@ double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::siz
   const std::size_t count = state.sites.size();
   if (steps_.empty()) watch_ = Stopwatch();
   std::size_t iteration = 0;
+  const std::vector<double> resolution =
+      resolution_at_sites(*level.mesh, state.sites.size(), state.labels);
   DescentOptions options;
   options.stays = state.sites.stays;
   options.most_iterations = is_interrupted_ ? 0 : iterations;
-  options.longest_move = 0.5 * std::sqrt(surface_area_ / static_cast<double>(count));
+  options.longest_move = 0.5 * std::sqrt(sized_area_ / static_cast<double>(count));
+  options.resolution = resolution;
   options.least_gain = 1e-5;
   options.keep_going = [&](double energy) { return record(level, count, ++iteration, energy); };
   const double energy = descend(*level.mesh, engine, state.sites.positions, options, executor_);
@@ -58,7 +61,7 @@ bool SiteRelaxer::record(const LevelMesh& level, std::size_t sites, std::size_t 
   const double square = to_mesh_units_ * to_mesh_units_;
   steps_.push_back({sites, level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
   if (options_.progress) {
-    const double ratio = energy / energy_of_hexagonal_tiling(surface_area_, sites);
+    const double ratio = energy / energy_of_hexagonal_tiling(sized_area_, sites);
     is_interrupted_ = !options_.progress({sites, wanted_sites_, iteration, ratio});
   }
   return !is_interrupted_;

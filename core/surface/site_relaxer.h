@@ -23,9 +23,9 @@ struct LabelledSites {
 /// Moves sites on one mesh after the other, and keeps the record of it.
 class SiteRelaxer {
  public:
-  /// `surface_area` is that of the fine mesh, `to_mesh_units` the length of 1 of the unit frame.
+  /// `sized_area` is that of the fine mesh, `to_mesh_units` the length of 1 of the unit frame.
   SiteRelaxer(const MakeSurfaceEngine& make_engine, const SurfaceRemeshOptions& options,
-              double surface_area, double to_mesh_units, Executor& executor);
+              double sized_area, double to_mesh_units, Executor& executor);
 
   /// What progress is told.
   void set_wanted_sites(std::size_t count) { wanted_sites_ = count; }
@@ -49,7 +49,7 @@ class SiteRelaxer {
 
   const MakeSurfaceEngine& make_engine_;
   const SurfaceRemeshOptions& options_;
-  double surface_area_;
+  double sized_area_;
   double to_mesh_units_;
   Executor& executor_;
   const FineMesh* mesh_ = nullptr;
@@ -62,7 +62,8 @@ class SiteRelaxer {
 };
 
 /// Energy of a hexagonal tiling of the plane with as much area and as many cells: that of a regular
-/// hexagon of area 1 is 5 / (18 sqrt 3).
+/// hexagon of area 1 is 5 / (18 sqrt 3). Where sizes vary, of the sized area: a cell of resolution
+/// r has r^-2 of an even cell's area, and r^4 of its density.
 constexpr double energy_of_hexagonal_tiling(double area, std::size_t cells) {
   return 0.16037507477489604 * area * area / static_cast<double>(cells);
 }

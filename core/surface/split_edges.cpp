@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "core/base/types.h"
@@ -29,9 +30,9 @@ std::array<Ends, 3> edges_of(const Triangle& t) {
 class Splitting {
  public:
   /// Only `candidates` may have long edges.
-  Splitting(Mesh& mesh, std::vector<TriangleId>& origin, double longest,
+  Splitting(Mesh& mesh, std::vector<TriangleId>& origin, std::vector<double>& sizes, double longest,
             const std::vector<TriangleId>& candidates)
-      : mesh_(mesh), origin_(origin), longest_(longest) {
+      : mesh_(mesh), origin_(origin), sizes_(sizes), longest_(longest) {
     for (const TriangleId t : candidates) look_at(t);
   }
 
@@ -66,12 +67,15 @@ class Splitting {
   [[nodiscard]] Vec3 middle(const Ends& ends) const {
     return (mesh_.positions[ends[0]] + mesh_.positions[ends[1]]) / 2;
   }
+  [[nodiscard]] double longest_at(const Ends& ends) const {
+    return sizes_.empty() ? longest_ : longest_ * std::min(sizes_[ends[0]], sizes_[ends[1]]);
+  }
 
   // Where coordinates are too coarse for a middle, so that a half is nearly as long as the whole,
   // an edge is as short as it can be.
   [[nodiscard]] bool is_long(const Ends& ends) const {
     const double length = edge_length(mesh_, ends[0], ends[1]);
-    if (!(length > longest_)) return false;
+    if (!(length > longest_at(ends))) return false;
     const Vec3 m = middle(ends);
     return norm(m - mesh_.positions[ends[0]]) < 0.75 * length &&
            norm(m - mesh_.positions[ends[1]]) < 0.75 * length;
@@ -97,6 +101,7 @@ class Splitting {
     for (const Ends& ends : level.edges) {
       const auto m = static_cast<VertexId>(mesh_.positions.size());
       mesh_.positions.push_back(middle(ends));
+      if (!sizes_.empty()) sizes_.push_back((sizes_[ends[0]] + sizes_[ends[1]]) / 2);
       for (const VertexId end : ends) add_if_long({end, m});
     }
   }
@@ -112,11 +117,13 @@ class Splitting {
   // Its height over the longest edge is at most half of what is long, or an edge is short.
   [[nodiscard]] bool is_thin(const Triangle& t) const {
     double base = 0;
+    double longest = std::numeric_limits<double>::infinity();
     for (const Ends& ends : edges_of(t)) {
       if (!is_long(ends)) return true;
       base = std::max(base, edge_length(mesh_, ends[0], ends[1]));
+      longest = std::min(longest, longest_at(ends));
     }
-    return 4 * triangle_area(mesh_, t) <= longest_ * base;
+    return 4 * triangle_area(mesh_, t) <= longest * base;
   }
 
   void cut_in_four(TriangleId t) {
@@ -200,6 +207,7 @@ class Splitting {
 
   Mesh& mesh_;
   std::vector<TriangleId>& origin_;
+  std::vector<double>& sizes_;
   double longest_;
   std::vector<Ends> long_edges_;      // to be halved next
   std::vector<TriangleId> to_split_;  // with such edges
@@ -213,13 +221,13 @@ class Splitting {
 
 }  // namespace
 
-void split_long_edges(Mesh& mesh, std::vector<TriangleId>& origin, double longest,
-                      std::size_t vertex_limit) {
+void split_long_edges(Mesh& mesh, std::vector<TriangleId>& origin, std::vector<double>& sizes,
+                      double longest, std::size_t vertex_limit) {
   if (!(longest > 0)) return;
   std::vector<TriangleId> candidates(mesh.triangle_count());
   for (std::size_t t = 0; t < candidates.size(); ++t) candidates[t] = static_cast<TriangleId>(t);
   while (!candidates.empty() && mesh.vertex_count() < vertex_limit) {
-    candidates = Splitting(mesh, origin, longest, candidates).run(vertex_limit);
+    candidates = Splitting(mesh, origin, sizes, longest, candidates).run(vertex_limit);
   }
 }
 

@@ -28,11 +28,14 @@ SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
 struct UsableTriangles {
   Mesh mesh;
   std::vector<TriangleId> origin;
+  std::vector<double> sizes;  // per vertex; empty: 1 everywhere
 };
 
-UsableTriangles usable_triangles(const Mesh& mesh, std::span<const TriangleId> duplicates) {
+UsableTriangles usable_triangles(const Mesh& mesh, const SurfaceInputOptions& options) {
+  const std::span<const TriangleId> duplicates = options.duplicates;
   UsableTriangles usable;
   usable.mesh.positions = mesh.positions;
+  usable.sizes.assign(options.sizes.begin(), options.sizes.end());
   usable.mesh.triangles.reserve(mesh.triangle_count());
   usable.origin.reserve(mesh.triangle_count());
   auto duplicate = duplicates.begin();
@@ -127,7 +130,8 @@ bool is_closed_fan(const Mesh& mesh, VertexId v, std::span<const TriangleId> at)
 
 // Vertices with several fans become one for each; those of no triangle are left out in the end,
 // because nothing refers to them. Returns how many had several.
-std::size_t cut_apart(Mesh& mesh, Executor& executor) {
+std::size_t cut_apart(UsableTriangles& usable, Executor& executor) {
+  Mesh& mesh = usable.mesh;
   const auto at = bucket_sort<TriangleId>(executor, mesh.vertex_count(), mesh.triangle_count(),
                                           [&](std::size_t t, auto&& put) {
                                             for (const VertexId v : mesh.triangles[t])
@@ -160,6 +164,7 @@ std::size_t cut_apart(Mesh& mesh, Executor& executor) {
         copy[i] = static_cast<VertexId>(mesh.positions.size());
         const Vec3 position = mesh.positions[v];
         mesh.positions.push_back(position);
+        if (!usable.sizes.empty()) usable.sizes.push_back(double{usable.sizes[v]});
       }
       const Triangle& t = mesh.triangles[at[v][i]];
       const CornerId corner = 3 * at[v][i] + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
@@ -205,9 +210,12 @@ class SurfaceInputBuilder {
     std::erase_if(order, [&](std::uint32_t v) { return is_used[v] == 0; });
     std::vector<VertexId> place(mesh.vertex_count(), no_id);
     result_.fine.positions.resize(order.size());
+    const bool has_sizes = !usable_.sizes.empty();
+    if (has_sizes) result_.fine.resolution.resize(order.size());
     parallel_for(executor_, order.size(), small_items, [&](std::size_t i) {
       place[order[i]] = static_cast<VertexId>(i);
       result_.fine.positions[i] = mesh.positions[order[i]];
+      if (has_sizes) result_.fine.resolution[i] = 1 / usable_.sizes[order[i]];
     });
     for (const VertexId v : options_.fixed_vertices) {
       if (place[v] != no_id) result_.fixed_vertices.push_back(place[v]);
@@ -325,9 +333,10 @@ std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input) {
 
 SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor) {
-  UsableTriangles usable = usable_triangles(mesh, options.duplicates);
-  const std::size_t vertices_cut = cut_apart(usable.mesh, executor);
-  split_long_edges(usable.mesh, usable.origin, options.longest_edge, options.vertex_limit);
+  UsableTriangles usable = usable_triangles(mesh, options);
+  const std::size_t vertices_cut = cut_apart(usable, executor);
+  split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
+                   options.vertex_limit);
   SurfaceInput input = SurfaceInputBuilder(std::move(usable), options, executor).run();
   input.vertices_cut = vertices_cut;
   return input;

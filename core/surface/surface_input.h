@@ -23,7 +23,8 @@ struct SurfaceFrame {
 };
 
 /// The surface on which sites move: the usable triangles of a mesh, cut apart where they are not a
-/// manifold, so that every edge has one or two of them, with long edges split.
+/// manifold, so that every edge has one or two of them, with edges split that are long for their
+/// size.
 struct SurfaceInput {
   SurfaceFrame frame;
   FineMesh fine;
@@ -39,7 +40,10 @@ struct SurfaceInput {
 struct SurfaceInputOptions {
   std::span<const TriangleId> duplicates;  ///< of the mesh: left out
   double longest_edge = 0;                 ///< mesh units; 0: none is split
-  std::size_t vertex_limit = 0;            ///< no edge is split from there on
+  /// Per vertex of the mesh: how long edges are to be there, in multiples of the spacing of evenly
+  /// spread sites; above 0. Empty: 1 everywhere.
+  std::span<const double> sizes;
+  std::size_t vertex_limit = 0;  ///< no edge is split from there on
   std::span<const TrianglePair> features;
   std::span<const VertexId> fixed_vertices;  ///< of the mesh; those of no triangle are passed over
 };

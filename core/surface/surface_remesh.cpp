@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/surface/creases.h"
+#include "core/surface/curvature.h"
 #include "core/surface/edge_flips.h"
 #include "core/surface/patches.h"
 #include "core/surface/pinholes.h"
@@ -18,6 +19,7 @@
 #include "core/surface/site_levels.h"
 #include "core/surface/site_places.h"
 #include "core/surface/site_relaxer.h"
+#include "core/surface/sizing.h"
 #include "core/surface/surface_fit.h"
 #include "core/surface/surface_input.h"
 #include "core/surface/surface_repair.h"
@@ -36,12 +38,6 @@ std::vector<PartTopology> parts_of(const SurfaceInput& input, const Chains& chai
   return parts;
 }
 
-// At which so many sites cover an area.
-double spacing_of(double area, std::size_t sites) {
-  constexpr double root_3 = 1.7320508075688772;
-  return std::sqrt(2 * area / (root_3 * static_cast<double>(sites)));
-}
-
 // Of edges on chains: those that are no boundary of the remesh.
 std::vector<std::array<VertexId, 2>> edges_along_features(
     const Mesh& remesh, const std::vector<std::array<VertexId, 2>>& on_chains) {
@@ -57,25 +53,35 @@ std::vector<std::array<VertexId, 2>> edges_along_features(
   return found;
 }
 
+struct SizedSurface {
+  SurfaceInput input;
+  Sizing sizing;
+};
+
 class SurfaceRemesher {
  public:
-  SurfaceRemesher(const Mesh& mesh, const SurfaceInput& input, const SurfaceRemeshOptions& options,
-                  const MakeSurfaceEngine& make_engine, Executor& executor)
+  SurfaceRemesher(const Mesh& mesh, const SizedSurface& surface,
+                  const SurfaceRemeshOptions& options, const MakeSurfaceEngine& make_engine,
+                  Executor& executor)
       : mesh_(mesh),
-        input_(input),
+        input_(surface.input),
+        sizing_(surface.sizing),
         options_(options),
-        relaxer_(make_engine, options, input.fine.whole_area, 1 / input.frame.scale, executor),
+        relaxer_(make_engine, options, input_.fine.whole_sized_area, 1 / input_.frame.scale,
+                 executor),
         executor_(executor) {}
 
   // Where there is no room for all pinholes among triangles of an ordinary size, they get vertices.
   SurfaceRemesh run() {
     const bool has_count = options_.vertex_count > 0;
-    const double spacing = has_count ? spacing_of(input_.fine.whole_area, options_.vertex_count)
-                                     : options_.edge_length * input_.frame.scale;
+    const double spacing = has_count ? spacing_of(input_.fine.whole_sized_area,
+                                                  static_cast<double>(options_.vertex_count))
+                                     : sizing_.spacing * input_.frame.scale;
     for (const bool may_have_pinholes : {true, false}) {
       surface_.emplace(input_, spacing, may_have_pinholes, executor_);
-      count_ =
-          has_count ? options_.vertex_count : SiteBudgeter(*surface_).at_spacing(spacing).total();
+      const SiteBudgeter budgeter(*surface_);
+      count_ = has_count ? options_.vertex_count : budgeter.at_spacing(spacing).total();
+      spacing_ = has_count ? budgeter.of_size(count_).spacing : spacing;
       RestingSites resting = rest_sites(*surface_, count_, relaxer_, executor_);
       dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
       if (open_pinholes(*surface_, dualised_.state.sites, dualised_.dual.triangles)) break;
@@ -104,6 +110,7 @@ class SurfaceRemesher {
     if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_chains);
     result.feature_edges = edges_along_features(result.mesh, on_chains);
     measure_energy(result);
+    find_edge_lengths(result);
     if (options_.fit && result.is_manifold()) {
       result.vertices_fitted =
           fit_to_surface(input_, dualised_.state.labels, sites.on_chains, result.mesh, executor_)
@@ -123,15 +130,27 @@ class SurfaceRemesher {
   }
 
   void measure_energy(SurfaceRemesh& result) const {
-    const MomentUnit unit(input_.fine.whole_area);
+    const MomentUnit unit(input_.fine.whole_mass);
     double energy = 0;
     for (std::size_t r = 0; r < result.mesh.vertex_count(); ++r) {
       energy += unit.energy(dualised_.cells[r], input_.frame.to_unit(result.mesh.positions[r]));
     }
     const double square = 1 / (input_.frame.scale * input_.frame.scale);
     result.energy = energy * square * square;
-    result.energy_of_hexagonal_tiling =
-        energy_of_hexagonal_tiling(input_.fine.whole_area * square, result.mesh.vertex_count());
+    result.energy_of_hexagonal_tiling = energy_of_hexagonal_tiling(
+        input_.fine.whole_sized_area * square, result.mesh.vertex_count());
+  }
+
+  void find_edge_lengths(SurfaceRemesh& result) const {
+    if (sizing_.sizes.empty()) return;
+    result.edge_lengths.reserve(result.places.size());
+    for (const SurfacePoint& place : result.places) {
+      double size = place.triangle == no_id ? 1 : 0;
+      for (std::size_t c = 0; c < 3 && place.triangle != no_id; ++c) {
+        size += place.weights[c] * sizing_.sizes[mesh_.triangles[place.triangle][c]];
+      }
+      result.edge_lengths.push_back(size * spacing_ / input_.frame.scale);
+    }
   }
 
   [[nodiscard]] std::uint64_t fingerprint_with(const Mesh& remesh) const {
@@ -148,51 +167,103 @@ class SurfaceRemesher {
 
   const Mesh& mesh_;
   const SurfaceInput& input_;
+  const Sizing& sizing_;
   const SurfaceRemeshOptions& options_;
   SiteRelaxer relaxer_;
   Executor& executor_;
   std::optional<DividedSurface> surface_;
   std::size_t count_ = 0;
+  double spacing_ = 0;  // unit frame
   DualisedSites dualised_;
 };
 
-// Of an edge length: but for what boundary and features change.
-std::size_t about_how_many(double area, const SurfaceRemeshOptions& options) {
-  if (options.vertex_count > 0) return options.vertex_count;
-  constexpr double root_3 = 1.7320508075688772;
-  constexpr double most = 1e9;
-  const double count = 2 * area / (root_3 * options.edge_length * options.edge_length);
-  if (!(count < most)) {
-    throw InvalidInput("edge_length: " + std::to_string(options.edge_length) +
-                       ": so short that the remesh would have more than 1,000,000,000 vertices");
+// Makes the surface on which sites move, and finds out how far apart they are to be.
+class SurfaceSizer {
+ public:
+  SurfaceSizer(const Mesh& mesh, const MeshEdges& edges, const SurfaceRemeshOptions& options,
+               Executor& executor)
+      : mesh_(mesh), edges_(edges), options_(options), executor_(executor) {
+    for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area_ += a;
+    if (!(area_ > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
   }
-  return std::max<std::size_t>(4, static_cast<std::size_t>(count));
-}
 
-// Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
-// features 0.42 spacings, so that cells follow them. The limit of vertices is for needles.
-SurfaceInput make_fine_input(const Mesh& mesh, const MeshEdges& edges,
-                             const SurfaceRemeshOptions& options, Executor& executor) {
-  double area = 0;
-  for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area += a;
-  if (!(area > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
-  const std::size_t count = about_how_many(area, options);
-  for (const VertexId v : options.features.fixed_vertices) {
-    if (v >= mesh.vertex_count()) {
-      throw InvalidInput("fixed vertex " + std::to_string(v) + ": the mesh has no such vertex");
+  SizedSurface run() {
+    std::vector<double> lengths = wanted_lengths(mesh_, options_.sizing);
+    Sizing sizing;
+    if (!lengths.empty()) {
+      sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
+    } else {
+      sizing.spacing = options_.vertex_count > 0
+                           ? spacing_of(area_, static_cast<double>(options_.vertex_count))
+                           : options_.edge_length;
     }
+    const std::size_t count = about_how_many(sizing.spacing);
+    features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
+    SurfaceInput input = make_input(sizing, count);
+    if (options_.sizing.adapt > 0) {
+      const double spacing = sizing.spacing * input.frame.scale;
+      lengths = lengths_of_curvatures(relative_curvatures(mesh_, input, spacing, executor_),
+                                      options_.sizing.adapt);
+      input = {};
+      sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
+      input = make_input(sizing, about_how_many(sizing.spacing));
+    }
+    return {std::move(input), std::move(sizing)};
   }
-  const double spacing = spacing_of(area, count);
-  const std::vector<TrianglePair> features =
-      find_features(mesh, edges, options.features, spacing, executor);
-  SurfaceInputOptions input;
-  input.duplicates = edges.duplicates;
-  input.longest_edge =
-      features.empty() ? 0.6 * std::sqrt(area / static_cast<double>(count)) : 0.42 * spacing;
-  input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh.vertex_count();
-  input.features = features;
-  input.fixed_vertices = options.features.fixed_vertices;
-  return make_surface_input(mesh, input, executor);
+
+ private:
+  // But for what boundary and features change.
+  [[nodiscard]] std::size_t about_how_many(double spacing) const {
+    if (options_.vertex_count > 0) return options_.vertex_count;
+    constexpr double most = 1e9;
+    const double count = sites_at(area_, spacing);
+    if (!(count < most)) {
+      throw InvalidInput("edge length " + std::to_string(spacing) +
+                         ": so short that the remesh would have more than 1,000,000,000 vertices");
+    }
+    return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+  }
+
+  // Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
+  // features 0.42 spacings, so that cells follow them. The limit of vertices is for needles.
+  [[nodiscard]] SurfaceInput make_input(const Sizing& sizing, std::size_t count) const {
+    const auto sites = static_cast<double>(count);
+    SurfaceInputOptions input;
+    input.duplicates = edges_.duplicates;
+    input.longest_edge =
+        features_.empty() ? 0.6 * std::sqrt(area_ / sites) : 0.42 * spacing_of(area_, sites);
+    input.sizes = sizing.sizes;
+    input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh_.vertex_count();
+    input.features = features_;
+    input.fixed_vertices = options_.features.fixed_vertices;
+    return make_surface_input(mesh_, input, executor_);
+  }
+
+  const Mesh& mesh_;
+  const MeshEdges& edges_;
+  const SurfaceRemeshOptions& options_;
+  Executor& executor_;
+  double area_ = 0;
+  std::vector<TrianglePair> features_;
+};
+
+void check_options(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+  const auto fail = [](const std::string& message) { throw InvalidInput(message); };
+  if (options.edge_length != 0 && options.vertex_count != 0) {
+    fail("vertex_count and edge_length: a remesh has one of them");
+  }
+  if (options.edge_length != 0 && !(options.edge_length > 0)) {
+    fail("edge_length: " + std::to_string(options.edge_length) + ": a length is above 0");
+  }
+  const bool has_lengths = options.edge_length != 0 || !options.sizing.edge_lengths.empty();
+  if (options.vertex_count < 4 && !(has_lengths && options.vertex_count == 0)) {
+    fail("vertex_count: " + std::to_string(options.vertex_count) +
+         ": a remesh has at least 4 vertices");
+  }
+  for (const VertexId v : options.features.fixed_vertices) {
+    if (v < mesh.vertex_count()) continue;
+    fail("fixed vertex " + std::to_string(v) + ": the mesh has no such vertex");
+  }
 }
 
 }  // namespace
@@ -214,20 +285,9 @@ bool SurfaceRemesh::has_input_topology() const {
 SurfaceRemesh make_surface_remesh(const Mesh& mesh, const MeshEdges& edges,
                                   const SurfaceRemeshOptions& options,
                                   const MakeSurfaceEngine& make_engine, Executor& executor) {
-  if (options.edge_length != 0 && options.vertex_count != 0) {
-    throw InvalidInput("vertex_count and edge_length: a remesh has one of them");
-  }
-  if (options.edge_length != 0) {
-    if (!(options.edge_length > 0)) {
-      throw InvalidInput("edge_length: " + std::to_string(options.edge_length) +
-                         ": a length is above 0");
-    }
-  } else if (options.vertex_count < 4) {
-    throw InvalidInput("vertex_count: " + std::to_string(options.vertex_count) +
-                       ": a remesh has at least 4 vertices");
-  }
-  const SurfaceInput input = make_fine_input(mesh, edges, options, executor);
-  return SurfaceRemesher(mesh, input, options, make_engine, executor).run();
+  check_options(mesh, options);
+  const SizedSurface surface = SurfaceSizer(mesh, edges, options, executor).run();
+  return SurfaceRemesher(mesh, surface, options, make_engine, executor).run();
 }
 
 }  // namespace geolloyd

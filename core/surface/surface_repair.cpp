@@ -231,7 +231,7 @@ class SurfaceRepair {
     for (std::size_t r = sites.on_chains; r < sites.size(); ++r) ++of_patch[sites.patch[r]];
     std::vector<std::uint8_t> is_needed = sites.stays;
     for (const RegionId r : regions_of_violations()) is_needed[r] = 1;
-    const MomentUnit unit(input_.fine.whole_area);
+    const MomentUnit unit(input_.fine.whole_mass);
     std::vector<std::pair<double, RegionId>> by_energy;
     for (RegionId r = 0; r < sites.size(); ++r) {
       if (is_needed[r] != 0 || of_patch[sites.patch[r]] <= few) continue;

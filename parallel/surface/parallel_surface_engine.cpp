@@ -69,7 +69,7 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
   ParallelSurfaceEngine(const FineMesh& mesh, Executor& executor)
       : mesh_(mesh),
         executor_(executor),
-        unit_(mesh.whole_area),
+        unit_(mesh.whole_mass),
         border_vertices_(mesh.vertex_count()),
         border_triangles_(mesh.triangle_count()),
         queued_(mesh.vertex_count()),

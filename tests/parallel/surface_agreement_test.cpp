@@ -15,6 +15,7 @@
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/site_descent.h"
 #include "core/surface/site_places.h"
+#include "core/surface/surface_remesh.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/agreement.h"
@@ -217,10 +218,11 @@ TEST(SurfaceEngines, LetSitesDescendAlike) {
     engine.assign(sited.labels, sited.is_fixed);
     std::vector<Vec3> sites = sited.sites;
     std::vector<double> numbers;
-    DescentOptions options{stays, 5, 0.5 * spacing_of(mesh, sites.size()), 0, [&](double energy) {
-                             numbers.push_back(energy);
-                             return true;
-                           }};
+    DescentOptions options{
+        stays, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0, [&](double energy) {
+          numbers.push_back(energy);
+          return true;
+        }};
     numbers.push_back(descend(mesh, engine, sites, options, executor));
     for (const Vec3& p : sites) numbers.insert(numbers.end(), p.begin(), p.end());
     for (const RegionId r : engine.labels()) numbers.push_back(r);
@@ -306,6 +308,26 @@ TEST(SurfaceStages, PlaceSitesAlike) {
       EXPECT_EQ(places[r].triangle, expected[r].triangle);
       EXPECT_EQ(places[r].weights, expected[r].weights);
     }
+  });
+}
+
+// Sizes that vary, by the reference alone and by the incremental engine on all threads.
+TEST(SurfaceStages, MakeTheSameAdaptedRemesh) {
+  const Mesh mesh = creature(6000, 1);
+  const MeshEdges edges = find_edges(mesh);
+  SurfaceRemeshOptions options;
+  options.vertex_count = 300;
+  options.sizing.adapt = 1;
+  const SurfaceRemesh expected =
+      make_surface_remesh(mesh, edges, options, make_reference_surface_engine);
+  EXPECT_TRUE(expected.has_input_topology());
+  for_schedulers([&](Scheduler& scheduler) {
+    const auto make_engine = [&](const FineMesh& fine) {
+      return make_parallel_surface_engine(fine, scheduler);
+    };
+    const SurfaceRemesh remesh = make_surface_remesh(mesh, edges, options, make_engine, scheduler);
+    EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
+    EXPECT_TRUE(same_bytes(remesh.edge_lengths, expected.edge_lengths));
   });
 }
 

@@ -214,6 +214,56 @@ TEST_F(Remeshing, HasEdgesOfTheLengthAskedFor) {
   }
 }
 
+// One number per vertex of the input.
+std::string ramp_for(const Mesh& mesh) {
+  std::string lines = "# lengths\n";
+  for (const Vec3& p : mesh.positions) lines += std::to_string(0.15 + 0.05 * p.x()) + "\n";
+  return lines;
+}
+
+TEST_F(Remeshing, FollowsSizes) {
+  const std::string lines = ramp_for(read_mesh(mesh_).mesh);
+  write_list(file("sizes.txt"), lines);
+  const nlohmann::json alone = report_of("--sizing " + file("sizes.txt").string());
+  const nlohmann::json ratios = alone["edge_length_ratios"];
+  EXPECT_NEAR(ratios["median"].get<double>(), 1, 0.05);
+  EXPECT_GE(ratios["within_a_third_percent"].get<double>(), 95);
+  const nlohmann::json scaled = report_of("-n 300 --sizing " + file("sizes.txt").string());
+  EXPECT_EQ(scaled["remesh"]["vertices"], 300);
+  EXPECT_EQ(report_of("-n 300 --density " + file("sizes.txt").string())["remesh"]["vertices"], 300);
+  const nlohmann::json adapted = report_of("-n 300 --adapt 1 --growth 1.2");
+  EXPECT_EQ(adapted["options"]["adapt"], 1);
+  EXPECT_EQ(adapted["options"]["growth"], 1.2);
+  EXPECT_TRUE(adapted["remesh"]["has_input_topology"].get<bool>());
+  EXPECT_TRUE(report_of("-n 300")["edge_length_ratios"].is_null());
+}
+
+TEST_F(Remeshing, RefusesSizesThatDoNotFit) {
+  const std::string lines = ramp_for(read_mesh(mesh_).mesh);
+  const std::string name = file("sizes.txt").string();
+  const auto expect_refused = [&](const std::string& text, const std::string& options) {
+    const Outcome outcome = remesh(options);
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    expect_text(outcome, text);
+    EXPECT_FALSE(fs::exists(file("r.ply")));
+  };
+  write_list(file("sizes.txt"), lines + "1\n");
+  expect_refused("sizes.txt: line 1002: more numbers than the mesh has vertices (1000)",
+                 "--sizing " + name);
+  write_list(file("sizes.txt"), "1\n2\n");
+  expect_refused("the file ends after 2 numbers, but the mesh has 1000 vertices",
+                 "-n 100 --density " + name);
+  for (const char* bad : {"0", "-1", "nan", "inf", "1 2", "x", "1e999"}) {
+    write_list(file("sizes.txt"), std::string("1\n") + bad + "\n");
+    expect_refused("sizes.txt: line 2: ", "--sizing " + name);
+  }
+  expect_refused("--sizing, --density and --adapt exclude each other",
+                 "-n 100 --adapt 1 --density " + name);
+  expect_refused("how fine? Give ", "--adapt 1");
+  expect_refused("--adapt: '2.5': give a number from 0 to 2", "-n 100 --adapt 2.5");
+  expect_refused("--growth: '1': give a number above 1", "-n 100 --adapt 1 --growth 1");
+}
+
 TEST_F(Remeshing, StaysWithinATolerance) {
   const nlohmann::json report = report_of("--tolerance 3%");
   const double tolerance = 0.03 * report["input"]["bounding_diagonal"].get<double>();

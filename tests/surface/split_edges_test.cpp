@@ -28,7 +28,8 @@ struct SplitMesh {
 SplitMesh split(const Mesh& mesh, double longest, std::size_t most = 1'000'000) {
   SplitMesh result{mesh, {}};
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) result.origin.push_back(t);
-  split_long_edges(result.mesh, result.origin, longest, most);
+  std::vector<double> sizes;
+  split_long_edges(result.mesh, result.origin, sizes, longest, most);
   return result;
 }
 

@@ -16,6 +16,7 @@ namespace geolloyd {
 namespace {
 
 constexpr const char* feature_group = "Features";
+constexpr const char* sizing_group = "Sizes";
 
 }  // namespace
 
@@ -54,10 +55,58 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
       ->type_name("DISTANCE");
 }
 
-void check_fineness(const FinenessArguments& fineness) {
+void add_sizing_options(CLI::App& command, SizingArguments& sizing) {
+  command
+      .add_option("--sizing", sizing.lengths_file,
+                  "File of edge lengths: one per line, for each vertex of the input\n"
+                  "in turn. With --vertices, --edge-length or --tolerance they are\n"
+                  "scaled")
+      ->type_name("FILE")
+      ->group(sizing_group);
+  command
+      .add_option("--density", sizing.densities_file,
+                  "File of densities, in the same form: edges are as long as\n"
+                  "density^(-1/4) has it")
+      ->type_name("FILE")
+      ->group(sizing_group);
+  command
+      .add_option_function<std::string>(
+          "--adapt",
+          [&sizing](const std::string& text) {
+            const auto value = parse_number<double>(text);
+            if (!value || !(*value >= 0 && *value <= 2)) {
+              throw CLI::ValidationError("--adapt", "'" + text + "': give a number from 0 to 2");
+            }
+            sizing.adapt = *value;
+          },
+          "Shorter edges where the surface is curved: as long as\n"
+          "curvature^(-G/2) has it. 0: the same everywhere")
+      ->type_name("G")
+      ->group(sizing_group);
+  command
+      .add_option_function<std::string>(
+          "--growth",
+          [&sizing](const std::string& text) {
+            const auto value = parse_number<double>(text);
+            if (!value || !std::isfinite(*value) || !(*value > 1)) {
+              throw CLI::ValidationError("--growth", "'" + text + "': give a number above 1");
+            }
+            sizing.growth = *value;
+          },
+          "How many times longer than an edge the next one may be, where\n"
+          "lengths vary")
+      ->type_name("FACTOR")
+      ->default_str("1.12")
+      ->group(sizing_group);
+}
+
+void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing) {
+  const int fields = (sizing.lengths_file.empty() ? 0 : 1) +
+                     (sizing.densities_file.empty() ? 0 : 1) + (sizing.adapt > 0 ? 1 : 0);
+  if (fields > 1) throw InvalidInput("--sizing, --density and --adapt exclude each other");
   const int given = (fineness.vertices > 0 ? 1 : 0) + (fineness.edge_length > 0 ? 1 : 0) +
                     (fineness.tolerance > 0 ? 1 : 0);
-  if (given == 1) return;
+  if (given == 1 || (given == 0 && !sizing.lengths_file.empty())) return;
   throw InvalidInput(given == 0 ? "how fine? Give --vertices N, --edge-length LENGTH or "
                                   "--tolerance DISTANCE"
                                 : "--vertices, --edge-length and --tolerance exclude each other");

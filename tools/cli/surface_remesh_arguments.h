@@ -9,12 +9,24 @@
 
 namespace geolloyd {
 
-/// How fine a remesh is to be: one of three.
+/// How fine a remesh is to be: one of three, or none where a file tells the edge lengths.
 struct FinenessArguments {
   std::size_t vertices = 0;    ///< 0: not given
   double edge_length = 0;      ///< mesh units; 0: not given
   double tolerance = 0;        ///< largest distance to the input; 0: not given
   bool is_percentage = false;  ///< the tolerance is one of the bounding box's diagonal
+};
+
+/// Where edges are to be longer than elsewhere.
+struct SizingArguments {
+  std::filesystem::path lengths_file;    ///< empty: none
+  std::filesystem::path densities_file;  ///< empty: none
+  double adapt = 0;
+  double growth = 1.12;
+
+  [[nodiscard]] bool varies() const {
+    return !lengths_file.empty() || !densities_file.empty() || adapt > 0;
+  }
 };
 
 /// What of the input is kept.
@@ -29,6 +41,7 @@ struct FeatureArguments {
 struct SurfaceRemeshArguments {
   std::filesystem::path mesh;
   FinenessArguments fineness;
+  SizingArguments sizing;
   FeatureArguments features;
   bool no_fit = false;
   EngineKind engine = EngineKind::parallel;
@@ -41,7 +54,8 @@ struct SurfaceRemeshArguments {
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const {
-    return {mesh, features.edges_file, features.fixed_file};
+    return {mesh, features.edges_file, features.fixed_file, sizing.lengths_file,
+            sizing.densities_file};
   }
 };
 
@@ -49,8 +63,10 @@ struct SurfaceRemeshArguments {
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices, const std::string& what);
 /// --vertices, --edge-length and --tolerance.
 void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
-/// Throws InvalidInput unless one of the three is given.
-void check_fineness(const FinenessArguments& fineness);
+/// --sizing, --density, --adapt and --growth.
+void add_sizing_options(CLI::App& command, SizingArguments& sizing);
+/// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.
+void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing);
 
 /// --features, --feature-edges and --fixed.
 void add_feature_options(CLI::App& command, FeatureArguments& features);

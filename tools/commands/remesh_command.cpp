@@ -30,6 +30,7 @@ class Remesher {
         make_engine_(make_surface_engines(arguments.engine, scheduler)),
         scheduler_(scheduler),
         progress_(progress) {
+    options_.sizing = read_sizing(arguments.sizing, loaded);
     options_.features = read_features(arguments.features, loaded);
     options_.fit = !arguments.no_fit;
   }
@@ -38,15 +39,12 @@ class Remesher {
     const FinenessArguments& fineness = arguments_.fineness;
     if (fineness.tolerance > 0) {
       search(result);
-    } else if (fineness.edge_length > 0) {
-      check_memory(vertices_of_edge_length(loaded_, fineness.edge_length), result);
-      options_.edge_length = fineness.edge_length;
-      result.made = make();
-    } else {
-      check_memory(fineness.vertices, result);
-      options_.vertex_count = fineness.vertices;
-      result.made = make();
+      return;
     }
+    options_.edge_length = fineness.edge_length;
+    options_.vertex_count = fineness.vertices;
+    check_memory(about_how_many(loaded_, options_, scheduler_), result);
+    result.made = make();
   }
 
  private:
@@ -69,7 +67,7 @@ class Remesher {
 
   void check_memory(std::size_t vertices, SurfaceRemeshResult& result) {
     const std::uint64_t bytes = check_remesh_memory(
-        loaded_, vertices, options_.features,
+        loaded_, vertices, options_,
         arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
         scheduler_);
     result.memory_estimate = std::max(result.memory_estimate, bytes);
@@ -87,7 +85,7 @@ class Remesher {
 };
 
 void run_remesh(const SurfaceRemeshArguments& arguments) {
-  check_fineness(arguments.fineness);
+  check_fineness(arguments.fineness, arguments.sizing);
   check_remesh_targets(arguments);
   const Stopwatch total;
   ProgressLine progress;
@@ -139,6 +137,7 @@ void add_remesh_command(CLI::App& program) {
       ->type_name("FILE");
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
+  add_sizing_options(*command, a->sizing);
   add_feature_options(*command, a->features);
   command->add_flag("--no-fit", a->no_fit,
                     "Leave vertices on the surface of the input, instead of moving them\n"

@@ -140,6 +140,13 @@ std::string describe(const SurfaceRemesh& remesh) {
 
 std::string describe(const RemeshFigures& figures, double diagonal) {
   std::string text = describe(figures.quality);
+  if (figures.length_ratios) {
+    const EdgeLengthRatios& ratios = *figures.length_ratios;
+    text += fmt::format(
+        "  {:<12}of what is asked for: median {:.3f}; 5 % below {:.3f}, 5 % above {:.3f}; {:.1f} % "
+        "within a third\n",
+        "lengths", ratios.median, ratios.fifth, ratios.ninety_fifth, 100 * ratios.share_in_third);
+  }
   if (!figures.distance) return text;
   const DistanceFigures& distance = *figures.distance;
   text += fmt::format(
@@ -180,6 +187,10 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"edge_length", or_null(fineness.edge_length)},
           {"tolerance", or_null(fineness.tolerance)},
           {"tolerance_is_percentage", fineness.is_percentage},
+          {"sizing", a.sizing.lengths_file.string()},
+          {"density", a.sizing.densities_file.string()},
+          {"adapt", a.sizing.adapt},
+          {"growth", a.sizing.varies() ? Json(a.sizing.growth) : Json(nullptr)},
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
           {"fixed", a.features.fixed_file.string()},
@@ -218,6 +229,15 @@ Json remesh_part(const SurfaceRemesh& remesh) {
           {"topology", topology_part(remesh.topology)},
           {"input_topology", topology_part(surface_topology(remesh))},
           {"closed_ball_violations_left", remesh.violations_left}};
+}
+
+Json ratios_part(const RemeshFigures& figures) {
+  if (!figures.length_ratios) return nullptr;
+  const EdgeLengthRatios& ratios = *figures.length_ratios;
+  return {{"percentile_5", ratios.fifth},
+          {"median", ratios.median},
+          {"percentile_95", ratios.ninety_fifth},
+          {"within_a_third_percent", 100 * ratios.share_in_third}};
 }
 
 Json distance_part(const RemeshFigures& figures, double diagonal) {
@@ -262,6 +282,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
   report["remesh"] = remesh_part(remesh);
   report["quality"] = quality_part(result.figures.quality);
+  report["edge_length_ratios"] = ratios_part(result.figures);
   report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
   report["remesh"]["volume_error_percent"] =
       result.figures.volume_error ? Json(100 * *result.figures.volume_error) : Json(nullptr);

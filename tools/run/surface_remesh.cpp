@@ -13,6 +13,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/creases.h"
 #include "core/surface/reference_surface_engine.h"
+#include "core/surface/sizing.h"
 #include "core/surface/surface_remesh.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
@@ -62,18 +63,46 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, double longest,
   return mesh.vertex_count() + static_cast<std::uint64_t>(std::min(most, diagonals * added));
 }
 
+bool varies(const SizingOptions& sizing) {
+  return !sizing.edge_lengths.empty() || !sizing.densities.empty() || sizing.adapt > 0;
+}
+
 // With features, edges are shorter (core/surface/surface_remesh.cpp). Whether there are any is only
 // asked where it makes a difference.
 std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
-                                     const FeatureOptions& features, Scheduler& scheduler) {
+                                     const SurfaceRemeshOptions& options, Scheduler& scheduler) {
   const double root = std::sqrt(loaded.input.facts.area / static_cast<double>(vertices));
   const double spacing = std::sqrt(2 / std::sqrt(3.0)) * root;
   const std::uint64_t without = estimate_fine_vertices(loaded, 0.6 * root, scheduler);
   const std::uint64_t with = estimate_fine_vertices(loaded, 0.42 * spacing, scheduler);
+  if (varies(options.sizing)) {
+    constexpr std::uint64_t per_vertex = 24;  // edges shorter than 0.42 spacings are not halved
+    return std::max(with, loaded.input.mesh().vertex_count() + per_vertex * vertices);
+  }
   if (with <= without + without / 8) return with;
   const bool has_features =
-      !find_features(loaded.input.mesh(), loaded.edges, features, spacing, scheduler).empty();
+      !find_features(loaded.input.mesh(), loaded.edges, options.features, spacing, scheduler)
+           .empty();
   return has_features ? with : without;
+}
+
+std::optional<EdgeLengthRatios> measure_ratios(const SurfaceRemesh& remesh,
+                                               const MeshEdges& edges) {
+  if (edges.size() == 0) return std::nullopt;
+  std::vector<double> ratio;
+  ratio.reserve(edges.size());
+  for (const auto& [a, b] : edges.ends) {
+    const double asked = (remesh.edge_lengths[a] + remesh.edge_lengths[b]) / 2;
+    ratio.push_back(norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]) / asked);
+  }
+  std::sort(ratio.begin(), ratio.end());
+  const auto at = [&](double share) {
+    return ratio[static_cast<std::size_t>(share * static_cast<double>(ratio.size() - 1))];
+  };
+  const auto near = std::count_if(ratio.begin(), ratio.end(),
+                                  [](double r) { return std::abs(r - 1) <= 1.0 / 3; });
+  return EdgeLengthRatios{at(0.05), at(0.5), at(0.95),
+                          static_cast<double>(near) / static_cast<double>(ratio.size())};
 }
 
 }  // namespace
@@ -110,20 +139,41 @@ FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInpu
   return features;
 }
 
-std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_length) {
-  const double count = 2 * loaded.input.facts.area / (std::sqrt(3.0) * edge_length * edge_length);
+SizingOptions read_sizing(const SizingArguments& arguments, const LoadedInput& loaded) {
+  SizingOptions sizing;
+  sizing.adapt = arguments.adapt;
+  sizing.growth = arguments.growth;
+  const auto read = [&](const std::filesystem::path& file) {
+    if (file.empty()) return std::vector<double>();
+    return parse_vertex_values(read_file(file), file.string(), loaded.input.mesh().vertex_count());
+  };
+  sizing.edge_lengths = read(arguments.lengths_file);
+  sizing.densities = read(arguments.densities_file);
+  return sizing;
+}
+
+std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions& options,
+                           Scheduler& scheduler) {
+  if (options.vertex_count > 0) return options.vertex_count;
+  double spacing = options.edge_length;
+  if (!options.sizing.edge_lengths.empty()) {
+    spacing = find_sizing(loaded.input.mesh(), loaded.edges, options.sizing.edge_lengths, options,
+                          scheduler)
+                  .spacing;
+  }
+  const double count = sites_at(loaded.input.facts.area, spacing);
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   if (!(count < most)) {
     throw InvalidInput(fmt::format(
-        "--edge-length {:g}: the remesh would have more than {:.0f} vertices; the bounding box's "
+        "edge length {:g}: the remesh would have more than {:.0f} vertices; the bounding box's "
         "diagonal is {:g}",
-        edge_length, most, loaded.input.facts.bounding_diagonal));
+        spacing, most, loaded.input.facts.bounding_diagonal));
   }
   return std::max<std::size_t>(4, static_cast<std::size_t>(count));
 }
 
 std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                  const FeatureOptions& features,
+                                  const SurfaceRemeshOptions& options,
                                   const std::optional<PictureArguments>& picture,
                                   Scheduler& scheduler) {
   const Mesh& mesh = loaded.input.mesh();
@@ -131,7 +181,7 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   size.vertices = mesh.vertex_count();
   size.triangles = mesh.triangle_count();
   size.edges = loaded.edges.size();
-  size.fine_vertices = estimate_fine_vertices(loaded, vertices, features, scheduler);
+  size.fine_vertices = estimate_fine_vertices(loaded, vertices, options, scheduler);
   size.remesh_vertices = vertices;
   size.threads = scheduler.threads();
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
@@ -166,7 +216,9 @@ RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remes
                            Scheduler& scheduler) {
   constexpr std::size_t samples = 25'000;
   RemeshFigures figures;
-  figures.quality = measure_quality(remesh.mesh, find_edges(remesh.mesh, scheduler));
+  const MeshEdges edges = find_edges(remesh.mesh, scheduler);
+  figures.quality = measure_quality(remesh.mesh, edges);
+  if (!remesh.edge_lengths.empty()) figures.length_ratios = measure_ratios(remesh, edges);
   if (remesh.mesh.triangles.empty()) return figures;
   const Mesh& mesh = loaded.input.mesh();
   figures.samples = samples;

@@ -23,16 +23,18 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
                          ProgressLine& progress);
 
-/// Reads the files that are named. Throws InvalidInput where one does not fit the mesh.
+/// Read the files that are named. Throw InvalidInput where one does not fit the mesh.
+SizingOptions read_sizing(const SizingArguments& arguments, const LoadedInput& loaded);
 FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInput& loaded);
 
-/// About how many vertices a remesh with such edges has; above 0.
-std::size_t vertices_of_edge_length(const LoadedInput& loaded, double edge_length);
+/// About how many vertices such a remesh has; above 0.
+std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions& options,
+                           Scheduler& scheduler);
 
 /// Bytes, of the whole run, with a picture if one will be drawn. Throws InvalidInput where they are
 /// more than there are.
 std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                  const FeatureOptions& features,
+                                  const SurfaceRemeshOptions& options,
                                   const std::optional<PictureArguments>& picture,
                                   Scheduler& scheduler);
 
@@ -52,10 +54,19 @@ TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress);
 
+/// Lengths of a remesh's edges, each over what was asked for there: the mean of its ends.
+struct EdgeLengthRatios {
+  double fifth = 0;  ///< percentile
+  double median = 0;
+  double ninety_fifth = 0;    ///< percentile
+  double share_in_third = 0;  ///< of edges whose ratio is from 2/3 to 4/3
+};
+
 /// What a remesh is judged by.
 struct RemeshFigures {
   MeshQuality quality;
-  std::size_t samples = 0;                  ///< of the input
+  std::optional<EdgeLengthRatios> length_ratios;  ///< where lengths vary
+  std::size_t samples = 0;                        ///< of the input
   std::optional<DistanceFigures> distance;  ///< from the input to the remesh, if that is a surface
   std::optional<double> volume_error;       ///< share of the input's volume; if both are closed
 };

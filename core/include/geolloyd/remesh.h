@@ -75,10 +75,22 @@ struct FeatureOptions {
   std::vector<VertexId> fixed_vertices;        ///< become vertices of the remesh, in that place
 };
 
-/// `vertex_count` or `edge_length` is given; the other one is 0.
+/// Edges that are longer in some places than in others: one of three says where.
+struct SizingOptions {
+  std::vector<double> edge_lengths;  ///< per vertex of the mesh: wanted there; above 0. Mesh units;
+                                     ///< in proportion, where the number of vertices or the mean
+                                     ///< length is given, too
+  std::vector<double> densities;  ///< per vertex: lengths in proportion to density^(-1/4); above 0
+  double adapt = 0;               ///< lengths in proportion to curvature^(-adapt/2); up to 2
+  double growth = 1.12;  ///< how many times longer than an edge the next one may be; above 1
+};
+
+/// `vertex_count` or `edge_length` is given, or SizingOptions::edge_lengths alone; what is not
+/// given is 0.
 struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
+  SizingOptions sizing;
   FeatureOptions features;
   bool fit =
       true;  ///< move vertices off the surface in the end, where that brings the remesh closer
@@ -107,7 +119,10 @@ struct SurfaceRemesh {
   std::size_t vertices_asked_for = 0;  ///< or what the edge length makes of it
   bool interrupted = false;            ///< the progress callback ended the moving of sites
   std::vector<SurfaceStep> steps;
-  double energy = 0;  ///< integral over the surface of |x - vertex of its cell|^2, mesh units
+  std::vector<double> edge_lengths;  ///< per vertex: what SizingOptions ask for there, mesh units;
+                                     ///< empty where they ask for nothing
+  double energy = 0;  ///< integral over the surface of |x - vertex of its cell|^2, mesh units;
+                      ///< times edge_length^-4, relative to an even spread, where edge lengths vary
   double energy_of_hexagonal_tiling = 0;  ///< of the plane, with as much area and as many cells
   MeshTopology topology;
   std::vector<PartTopology> surface_parts;  ///< of the input, cut apart where it is no manifold;
