@@ -11,9 +11,13 @@
 #include "core/base/random.h"
 #include "core/remesh/seed_insertion.h"
 #include "core/surface/cell_labels.h"
+#include "core/surface/creases.h"
+#include "core/surface/curvature.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/site_descent.h"
 #include "core/surface/site_refinement.h"
+#include "core/surface/sizing.h"
+#include "core/surface/surface_fit.h"
 #include "core/surface/surface_remesh.h"
 #include "core/surface/surface_repair.h"
 #include "parallel/surface/parallel_surface_engine.h"
@@ -264,6 +268,27 @@ Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::si
   return {std::move(dualised), relaxer.fingerprint()};
 }
 
+// The dual of sites at rest, in mesh units.
+struct LabelledDual {
+  Mesh mesh;
+  std::vector<RegionId> labels;
+  std::size_t on_chains = 0;
+};
+
+LabelledDual dual_at_rest(const SurfaceStart& start, std::size_t sites) {
+  DualisedSites dualised =
+      repair_at_rest(start, start.resting, sites, make_reference_surface_engine, sequential())
+          .dualised;
+  LabelledDual dual;
+  for (const Vec3& site : dualised.state.sites.positions) {
+    dual.mesh.positions.push_back(start.input().frame.to_mesh(site));
+  }
+  dual.mesh.triangles = std::move(dualised.dual.triangles);
+  dual.labels = std::move(dualised.state.labels);
+  dual.on_chains = dualised.state.sites.on_chains;
+  return dual;
+}
+
 void repair(Run& run, const Workers& workers) {
   const SurfaceStart& start = run.inputs().surface(run.seeds());
   const std::size_t sites = run.seeds();
@@ -283,6 +308,57 @@ void repair(Run& run, const Workers& workers) {
   });
   run.measure(prepare, work);
   run.rate("vertices/s", start.input().fine.vertex_count());
+}
+
+void fit(Run& run, const Workers& workers) {
+  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const LabelledDual dual = dual_at_rest(start, run.seeds());
+  Mesh mesh;
+  const auto prepare = [&] { mesh = dual.mesh; };
+  const auto work = [&] {
+    return fit_to_surface(start.input(), dual.labels, dual.on_chains, mesh, workers.executor);
+  };
+  run.verify("not closer, or not the fit of the calling thread", [&] {
+    prepare();
+    const FitResult found = work();
+    Mesh expected = dual.mesh;
+    fit_to_surface(start.input(), dual.labels, dual.on_chains, expected);
+    return found.after.sum_of_squares <= found.before.sum_of_squares &&
+           same_bytes(mesh.positions, expected.positions);
+  });
+  run.measure(prepare, work);
+  run.rate("vertices/s", dual.mesh.vertex_count());
+}
+
+void find_creases(Run& run, const Workers& workers) {
+  Inputs& in = run.inputs();
+  FeatureOptions options;
+  options.creases = Creases::by_angle;
+  const auto work = [&] {
+    return find_features(in.mesh(), in.edges(), options, 0, workers.executor);
+  };
+  run.verify("not the features of the calling thread",
+             [&] { return work() == find_features(in.mesh(), in.edges(), options, 0); });
+  run.measure(work);
+  run.rate("triangles/s", in.mesh().triangle_count());
+}
+
+void find_sizes(Run& run, const Workers& workers) {
+  Inputs& in = run.inputs();
+  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  SurfaceRemeshOptions options;
+  options.vertex_count = run.seeds();
+  options.sizing.adapt = 1;
+  const auto sizes = [&](Executor& executor) {
+    const std::vector<double> curvature =
+        relative_curvatures(in.mesh(), start.input(), start.spacings.front(), executor);
+    const std::vector<double> lengths = lengths_of_curvatures(curvature, 1);
+    return find_sizing(in.mesh(), in.edges(), lengths, options, executor).sizes;
+  };
+  run.verify("not the sizes of the calling thread",
+             [&] { return same_bytes(sizes(workers.executor), sizes(sequential())); });
+  run.measure([&] { return sizes(workers.executor); });
+  run.rate("vertices/s", in.mesh().vertex_count());
 }
 
 void remesh(Run& run, const Workers& workers) {
@@ -308,8 +384,10 @@ void remesh(Run& run, const Workers& workers) {
 }
 
 constexpr std::pair<const char*, void (*)(Run&, const Workers&)> stages[] = {
-    {"input", make_input},  {"levels", make_levels}, {"evaluation", evaluate}, {"descent", descend},
-    {"refinement", refine}, {"repair", repair},      {"remesh", remesh},
+    {"input", make_input}, {"levels", make_levels},    {"evaluation", evaluate},
+    {"descent", descend},  {"refinement", refine},     {"repair", repair},
+    {"fit", fit},          {"features", find_creases}, {"sizes", find_sizes},
+    {"remesh", remesh},
 };
 
 }  // namespace

@@ -405,6 +405,13 @@ TEST_F(Remeshing, VerifiesThatTheEnginesAgree) {
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   expect_text(outcome, "1,000 vertices, remesh of 150\n  identical   in all ");
   expect_text(outcome, report_of("--vertices 150")["fingerprint"].get<std::string>());
+  const std::string more = " --adapt 1 --features 30";
+  const Outcome sized = geolloyd_with("verify " + mesh_.string() + " --vertices 150" + more);
+  ASSERT_EQ(sized.status, 0) << sized.text;
+  expect_text(sized, report_of("--vertices 150" + more)["fingerprint"].get<std::string>());
+  const Outcome refused = geolloyd_with("verify " + mesh_.string() + " --seeds 8 --adapt 1");
+  EXPECT_EQ(refused.status, 2);
+  expect_text(refused, "--adapt is of a remesh: give --vertices, too");
 }
 
 }  // namespace

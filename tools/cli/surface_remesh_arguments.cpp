@@ -13,12 +13,7 @@
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
-namespace {
-
-constexpr const char* feature_group = "Features";
-constexpr const char* sizing_group = "Sizes";
-
-}  // namespace
+namespace {}  // namespace
 
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices,
                                  const std::string& what) {

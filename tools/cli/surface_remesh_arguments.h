@@ -59,6 +59,10 @@ struct SurfaceRemeshArguments {
   }
 };
 
+/// The options below, as the help groups them.
+inline constexpr const char* sizing_group = "Sizes";
+inline constexpr const char* feature_group = "Features";
+
 /// --vertices, with this description.
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices, const std::string& what);
 /// --vertices, --edge-length and --tolerance.

@@ -30,6 +30,8 @@ struct VerifyArguments {
   EngineArguments engine;
   ThreadArguments threads;
   std::size_t vertices = 0;  ///< of a surface remesh; 0: a relaxation
+  SizingArguments sizing;    ///< of a surface remesh
+  FeatureArguments features;
 };
 
 void print_times(double reference, double parallel, const Scheduler& scheduler) {
@@ -105,14 +107,16 @@ void verify_remesh(const VerifyArguments& a) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
   const LoadedInput loaded = load_surface(a.start.mesh, scheduler, progress);
-  check_remesh_memory(loaded, a.vertices, {}, std::nullopt, scheduler);
+  SurfaceRemeshOptions options;
+  options.vertex_count = a.vertices;
+  options.sizing = read_sizing(a.sizing, loaded);
+  options.features = read_features(a.features, loaded);
+  check_remesh_memory(loaded, a.vertices, options, std::nullopt, scheduler);
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
       make_surface_engines(EngineKind::reference, scheduler),
       make_surface_engines(EngineKind::parallel, scheduler), comparison);
-  SurfaceRemeshOptions options;
-  options.vertex_count = a.vertices;
   SurfaceRemesh remesh;
   try {
     remesh = time_remesh(loaded, options, make_pairs, scheduler, progress).remesh;
@@ -125,14 +129,20 @@ void verify_remesh(const VerifyArguments& a) {
   if (remesh.interrupted) throw InterruptedExit{};
 }
 
-// Nothing that concerns seeds, graphs or the relaxation has a meaning for a remesh.
-void refuse_others(const CLI::App& command) {
+// Nothing that concerns seeds, graphs or the relaxation has a meaning for a remesh, and the other
+// way round.
+void refuse_others(const CLI::App& command, bool is_remesh) {
   for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0) continue;
     const std::string& group = option->get_group();
-    const bool is_other = group == "Seeds" || group == "Graph" || group == "Relaxation" ||
-                          option->check_lname("frontier");
-    if (is_other && option->count() > 0) {
+    const bool is_of_relaxation = group == "Seeds" || group == "Graph" || group == "Relaxation" ||
+                                  option->check_lname("frontier");
+    if (is_of_relaxation && is_remesh) {
       throw InvalidInput("--vertices and " + option->get_name() + " exclude each other");
+    }
+    const bool is_of_remesh = group == sizing_group || group == feature_group;
+    if (is_of_remesh && !is_remesh) {
+      throw InvalidInput(option->get_name() + " is of a remesh: give --vertices, too");
     }
   }
 }
@@ -150,13 +160,15 @@ void add_verify_command(CLI::App& program) {
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_frontier_option(*command, arguments->engine);
+  add_sizing_options(*command, arguments->sizing);
+  add_feature_options(*command, arguments->features);
   add_thread_options(*command, arguments->threads);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
       "Times are those of the engines' work.");
   command->callback([command, arguments] {
+    refuse_others(*command, arguments->vertices > 0);
     if (arguments->vertices > 0) {
-      refuse_others(*command);
       verify_remesh(*arguments);
     } else {
       verify_relaxation(*arguments);

@@ -71,8 +71,9 @@ bool varies(const SizingOptions& sizing) {
 // asked where it makes a difference.
 std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
                                      const SurfaceRemeshOptions& options, Scheduler& scheduler) {
-  const double root = std::sqrt(loaded.input.facts.area / static_cast<double>(vertices));
-  const double spacing = std::sqrt(2 / std::sqrt(3.0)) * root;
+  const double area = loaded.input.facts.area;
+  const double root = std::sqrt(area / static_cast<double>(vertices));
+  const double spacing = spacing_of(area, static_cast<double>(vertices));
   const std::uint64_t without = estimate_fine_vertices(loaded, 0.6 * root, scheduler);
   const std::uint64_t with = estimate_fine_vertices(loaded, 0.42 * spacing, scheduler);
   if (varies(options.sizing)) {
