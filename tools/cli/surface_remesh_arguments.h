@@ -28,6 +28,7 @@ struct FeatureArguments {
 /// All of `remesh`.
 struct SurfaceRemeshArguments {
   std::filesystem::path mesh;
+  RepairArguments repair;
   FinenessArguments fineness;
   FeatureArguments features;
   bool no_fit = false;

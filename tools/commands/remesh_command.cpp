@@ -88,11 +88,15 @@ class Remesher {
 
 void run_remesh(const SurfaceRemeshArguments& arguments) {
   check_fineness(arguments.fineness);
+  check_repair(arguments.repair, !arguments.features.edges_file.empty()   ? "--feature-edges"
+                                 : !arguments.features.fixed_file.empty() ? "--fixed"
+                                 : !arguments.map_file.empty()            ? "--map"
+                                                                          : "");
   check_remesh_targets(arguments);
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const LoadedInput loaded = load_surface(arguments.mesh, scheduler, progress);
+  const LoadedInput loaded = load_surface(arguments.mesh, arguments.repair, scheduler, progress);
   SurfaceRemeshResult result;
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
   Remesher(arguments, loaded, scheduler, progress).run(result);
@@ -139,6 +143,7 @@ void add_remesh_command(CLI::App& program) {
       ->type_name("FILE");
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
+  add_repair_options(*command, a->repair);
   add_feature_options(*command, a->features);
   command->add_flag("--no-fit", a->no_fit,
                     "Leave vertices on the surface of the input, instead of moving them\n"

@@ -104,7 +104,7 @@ void verify_relaxation(const VerifyArguments& a) {
 void verify_remesh(const VerifyArguments& a) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
-  const LoadedInput loaded = load_surface(a.start.mesh, scheduler, progress);
+  const LoadedInput loaded = load_surface(a.start.mesh, {}, scheduler, progress);
   check_remesh_memory(loaded, a.vertices, {}, std::nullopt, scheduler);
   catch_interrupts();
   SurfaceComparison comparison;
