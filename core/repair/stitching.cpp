@@ -27,14 +27,14 @@ class Stitcher {
     for (VertexId v = 0; v < name.size(); ++v) name[v] = v;
     if (!has_boundary()) return name;
     find_pairs();
-    // Each round takes back some pairs, so that without an end to them none would be left.
+    // Each round takes back some pairs; after too many rounds all of them are.
     constexpr int most_rounds = 16;
-    for (int round = 0; !pairs_.empty(); ++round) {
+    for (int round = 0;; ++round) {
       if (round == most_rounds) pairs_.clear();
       DisjointSets merged(mesh_.vertex_count());
       for (const EdgePair& pair : pairs_) join(pair, merged);
       for (VertexId v = 0; v < name.size(); ++v) name[v] = merged.find(v);
-      if (!take_back(name)) break;
+      if (pairs_.empty() || !take_back(name)) break;
     }
     return name;
   }
