@@ -7,6 +7,7 @@
 
 #include "core/lloyd/relaxation.h"
 #include "tools/cli/cli_fwd.h"
+#include "tools/cli/repair_arguments.h"
 #include "tools/render/view.h"
 #include "tools/words/names.h"
 
@@ -31,6 +32,7 @@ struct GraphArguments {
 /// What a tessellation begins with.
 struct StartArguments {
   std::filesystem::path mesh;
+  RepairArguments repair;
   SeedArguments seeds;
   GraphArguments graph;
 

@@ -40,6 +40,7 @@ struct FeatureArguments {
 /// All of `remesh`.
 struct SurfaceRemeshArguments {
   std::filesystem::path mesh;
+  RepairArguments repair;
   FinenessArguments fineness;
   SizingArguments sizing;
   FeatureArguments features;

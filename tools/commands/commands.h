@@ -18,6 +18,7 @@ void add_ground_truth_command(CLI::App& program);
 void add_generate_command(CLI::App& program);
 void add_subdivide_command(CLI::App& program);
 void add_info_command(CLI::App& program);
+void add_repair_command(CLI::App& program);
 void add_quality_command(CLI::App& program);
 
 /// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.

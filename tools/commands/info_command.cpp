@@ -23,7 +23,7 @@ struct InfoArguments {
 };
 
 void run_info(const InfoArguments& arguments) {
-  Input input{arguments.mesh, read_within_limits(arguments.mesh), {}};
+  Input input{arguments.mesh, read_within_limits(arguments.mesh), {}, {}};
   announce_memory(arguments.mesh.string(),
                   memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
   const MeshEdges edges = find_edges(input.mesh());

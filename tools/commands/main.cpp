@@ -131,6 +131,7 @@ void run(int argc, char** argv) {
   geolloyd::add_generate_command(program);
   geolloyd::add_subdivide_command(program);
   geolloyd::add_info_command(program);
+  geolloyd::add_repair_command(program);
   geolloyd::add_quality_command(program);
   for (CLI::App* command : program.get_subcommands({})) geolloyd::add_memory_option(*command);
   refuse_empty_values(program);

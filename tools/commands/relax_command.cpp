@@ -55,6 +55,7 @@ void print_start(const RelaxArguments& arguments, const Start& start) {
   const Graph& graph = start.mesh_graph.graph;
   const SeedArguments& seeds = arguments.start.seeds;
   fmt::print("{}\n{}", start.input.file.string(), describe(start.input.loaded, start.input.facts));
+  if (start.input.repairs) fmt::print("{}", describe(*start.input.repairs));
   fmt::print("  {:<12}{}: {}, {}, {}\n", "graph", name_of(graph_kind_names, start.mesh_graph.kind),
              counted(graph.node_count(), "node", "nodes"),
              counted(graph.arc_count(), "arc", "arcs"),
@@ -181,6 +182,9 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
 
 void run_relax(const RelaxArguments& arguments) {
   check_seeds(arguments.start.seeds);
+  check_repair(arguments.start.repair, !arguments.start.seeds.file.empty()     ? "--seeds-file"
+                                       : !arguments.start.graph.vfield.empty() ? "--vfield"
+                                                                               : "");
   lock_folder(arguments.output);  // where it is there: before the mesh is read
   check_checkpoint(arguments);
   const Stopwatch total;
@@ -247,6 +251,7 @@ void add_relax_command(CLI::App& program) {
       ->capture_default_str();
   command->add_flag("--resume", arguments->resume,
                     "Go on from the checkpoint in the folder; give the same options");
+  add_repair_options(*command, arguments->start.repair);
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);

@@ -84,13 +84,23 @@ class Remesher {
   SurfaceRemeshOptions options_;
 };
 
+// Whose numbers a repair would change; empty: none is given.
+std::string option_that_names_vertices(const SurfaceRemeshArguments& arguments) {
+  if (!arguments.sizing.lengths_file.empty()) return "--sizing";
+  if (!arguments.sizing.densities_file.empty()) return "--density";
+  if (!arguments.features.edges_file.empty()) return "--feature-edges";
+  if (!arguments.features.fixed_file.empty()) return "--fixed";
+  return arguments.map_file.empty() ? "" : "--map";
+}
+
 void run_remesh(const SurfaceRemeshArguments& arguments) {
   check_fineness(arguments.fineness, arguments.sizing);
+  check_repair(arguments.repair, option_that_names_vertices(arguments));
   check_remesh_targets(arguments);
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const LoadedInput loaded = load_surface(arguments.mesh, scheduler, progress);
+  const LoadedInput loaded = load_surface(arguments.mesh, arguments.repair, scheduler, progress);
   SurfaceRemeshResult result;
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
   Remesher(arguments, loaded, scheduler, progress).run(result);
@@ -138,6 +148,7 @@ void add_remesh_command(CLI::App& program) {
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
   add_sizing_options(*command, a->sizing);
+  add_repair_options(*command, a->repair);
   add_feature_options(*command, a->features);
   command->add_flag("--no-fit", a->no_fit,
                     "Leave vertices on the surface of the input, instead of moving them\n"

@@ -49,6 +49,8 @@ Json trace_part(const Relaxation& relaxation) {
 Json options_part(const RelaxArguments& a, const Result& result) {
   Json part = engine_part(a, result.threads);
   part.update(options_part(a.start, a.relaxation, result.regions.size()));
+  part["repair"] = a.start.repair.is_wanted;
+  part["fill_holes"] = fill_holes_part(a.start.repair);
   part["manifold"] = a.remesh.manifold;
   part["remesh_vertices"] = name_of(remesh_vertices_names, a.remesh.vertices);
   return part;
@@ -80,6 +82,7 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["program"] = program_name();
   report["machine"] = machine_part();
   report["input"] = mesh_part(start.input);
+  report["repairs"] = repairs_part(start.input.repairs);
   report["options"] = options_part(arguments, result);
   report["graph"] = graph_part(start.mesh_graph.graph, start.components);
   report["end"] = name_of(stop_reason_names, relaxation.stop_reason);

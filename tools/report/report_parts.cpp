@@ -62,6 +62,27 @@ Json mesh_part(const Input& input) {
           {"bounding_diagonal", facts.bounding_diagonal}};
 }
 
+Json repairs_part(const std::optional<Repairs>& repairs) {
+  if (!repairs) return nullptr;
+  return {{"any", repairs->any()},
+          {"repeated_vertex_triangles", repairs->repeated_vertex_triangles},
+          {"duplicate_triangles", repairs->duplicate_triangles},
+          {"vertices_cut", repairs->vertices_cut},
+          {"vertices_merged", repairs->vertices_merged},
+          {"slivers_removed", repairs->slivers_removed},
+          {"slivers_left", repairs->slivers_left},
+          {"triangles_turned", repairs->triangles_turned},
+          {"unorientable_components", repairs->unorientable_components},
+          {"holes_filled", repairs->holes_filled},
+          {"triangles_added", repairs->triangles_added},
+          {"holes_left", repairs->holes_left},
+          {"unused_vertices", repairs->unused_vertices}};
+}
+
+Json fill_holes_part(const RepairArguments& repair) {
+  return repair.is_wanted ? Json(name_of_hole_size(repair.options)) : Json(nullptr);
+}
+
 Json graph_part(const Graph& graph, std::size_t components) {
   return {{"nodes", graph.node_count()},
           {"arcs", graph.arc_count()},

@@ -21,6 +21,10 @@ Json machine_part();
 /// The beginning of a result file: program, command, machine, mesh.
 Json begin_result(const std::string& command, const Input& input);
 Json mesh_part(const Input& input);
+/// Null where no repair was asked for.
+Json repairs_part(const std::optional<Repairs>& repairs);
+/// As --fill-holes has it; null without a repair.
+Json fill_holes_part(const RepairArguments& repair);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
 Json kernel_seconds_part(const KernelSeconds& seconds);

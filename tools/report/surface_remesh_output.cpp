@@ -191,6 +191,8 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"density", a.sizing.densities_file.string()},
           {"adapt", a.sizing.adapt},
           {"growth", a.sizing.varies() ? Json(a.sizing.growth) : Json(nullptr)},
+          {"repair", a.repair.is_wanted},
+          {"fill_holes", fill_holes_part(a.repair)},
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
           {"fixed", a.features.fixed_file.string()},
@@ -274,6 +276,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["program"] = program_name();
   report["machine"] = machine_part();
   report["input"] = mesh_part(loaded.input);
+  report["repairs"] = repairs_part(loaded.input.repairs);
   report["options"] = options_part(arguments, result.threads);
   report["interrupted"] = remesh.interrupted;
   report["trials"] = trials_part(result.trials);
@@ -339,6 +342,7 @@ std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput&
   const Input& input = loaded.input;
   return fmt::format("{}\n{}", input.file.string(),
                      describe(input.loaded, input.facts, HandledBy::surface)) +
+         (input.repairs ? describe(*input.repairs) : "") +
          describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
          describe(remesh) + describe(result.figures, input.facts.bounding_diagonal) +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +

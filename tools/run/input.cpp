@@ -1,6 +1,7 @@
 #include "tools/run/input.h"
 
 #include <system_error>
+#include <utility>
 
 #include "core/base/stopwatch.h"
 #include "tools/system/memory_estimate.h"
@@ -18,11 +19,19 @@ LoadedMesh read_within_limits(const std::filesystem::path& file) {
   return loaded;
 }
 
-LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler) {
+LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
+                       const RepairArguments& repair) {
   LoadedInput loaded;
   const Stopwatch watch;
   loaded.input.file = file;
   loaded.input.loaded = read_within_limits(file);
+  if (repair.is_wanted) {
+    Mesh& given = loaded.input.loaded.mesh;
+    require_memory(file.string(), memory_to_repair(given.vertex_count(), given.triangle_count()));
+    RepairedMesh repaired = make_repaired_mesh(given, repair.options, scheduler);
+    given = std::move(repaired.mesh);
+    loaded.input.repairs = repaired.repairs;
+  }
   const Mesh& mesh = loaded.input.mesh();
   const Stopwatch finding;
   loaded.edges = find_edges(mesh, scheduler);

@@ -1,19 +1,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/repair/repair.h"
 #include "parallel/threads/scheduler.h"
+#include "tools/cli/repair_arguments.h"
 
 namespace geolloyd {
 
-/// A mesh that was read from a file, and what was found in it.
+/// A mesh that was read from a file and perhaps repaired, and what was found in it after that.
 struct Input {
   std::filesystem::path file;
   LoadedMesh loaded;
   MeshFacts facts;
+  std::optional<Repairs> repairs;  ///< empty: none was asked for
 
   [[nodiscard]] const Mesh& mesh() const { return loaded.mesh; }
 };
@@ -22,7 +26,7 @@ struct Input {
 struct LoadedInput {
   Input input;
   MeshEdges edges;
-  double seconds = 0;       ///< to read and check the mesh
+  double seconds = 0;       ///< to read, repair and check the mesh
   double edge_seconds = 0;  ///< to find the edges
 };
 
@@ -30,7 +34,8 @@ struct LoadedInput {
 /// the size of the file, then for what comes next in every command, finding its edges.
 LoadedMesh read_within_limits(const std::filesystem::path& file);
 
-/// Reads a mesh in the same way, finds its edges and checks it.
-LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler);
+/// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
+LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
+                       const RepairArguments& repair = {});
 
 }  // namespace geolloyd

@@ -87,7 +87,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
   std::string seeds_text;
   progress.stage("reading " + arguments.mesh.string());
   {
-    LoadedInput loaded = load_input(arguments.mesh, scheduler);
+    LoadedInput loaded = load_input(arguments.mesh, scheduler, arguments.repair);
     const SeedArguments& seeds = arguments.seeds;
     if (!seeds.file.empty()) seeds_text = read_file(seeds.file);
     progress.stage("building the " + name_of(graph_kind_names, arguments.graph.kind) + " graph");

@@ -114,10 +114,10 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler) {
       [&scheduler](const FineMesh& mesh) { return make_parallel_surface_engine(mesh, scheduler); };
 }
 
-LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
-                         ProgressLine& progress) {
+LoadedInput load_surface(const std::filesystem::path& file, const RepairArguments& repair,
+                         Scheduler& scheduler, ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, scheduler);
+  LoadedInput loaded = load_input(file, scheduler, repair);
   if (!(loaded.input.facts.area > 0)) {
     throw InvalidInput(file.string() + ": no triangle with an area, so nothing to remesh");
   }

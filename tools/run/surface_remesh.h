@@ -19,9 +19,10 @@ namespace geolloyd {
 /// Engines of this kind. `scheduler` must live on.
 MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 
-/// Reads the mesh and finds its edges. Throws InvalidInput where it has no area.
-LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
-                         ProgressLine& progress);
+/// Reads the mesh, repairs it if that is wanted, and finds its edges. Throws InvalidInput where it
+/// has no area.
+LoadedInput load_surface(const std::filesystem::path& file, const RepairArguments& repair,
+                         Scheduler& scheduler, ProgressLine& progress);
 
 /// Read the files that are named. Throw InvalidInput where one does not fit the mesh.
 SizingOptions read_sizing(const SizingArguments& arguments, const LoadedInput& loaded);

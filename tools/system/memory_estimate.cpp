@@ -111,6 +111,14 @@ Bytes memory_to_check(Bytes vertices, Bytes triangles) {
                           edge_bytes(likely_edges(triangles), triangles));
 }
 
+std::uint64_t memory_to_repair(std::uint64_t vertices, std::uint64_t triangles) {
+  // The input, the mesh under repair and its copy before a stage, with the edges of both, and a
+  // dozen numbers for each vertex and each corner.
+  return base + with_gaps(3 * mesh_bytes(vertices, triangles) +
+                          2 * edge_bytes(likely_edges(triangles), triangles) +
+                          finding_edges(vertices, triangles) + 60 * vertices + 40 * triangles);
+}
+
 Bytes memory_to_run(const RunSize& s) {
   const Bytes relaxing = graph_bytes(s) + engine_bytes(s);
   Bytes most = std::max(

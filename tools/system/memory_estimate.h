@@ -39,6 +39,8 @@ struct RemeshSize {
 std::uint64_t memory_to_read(std::uint64_t file_bytes);
 /// Of finding the edges and the facts of a mesh that has been read.
 std::uint64_t memory_to_check(std::uint64_t vertices, std::uint64_t triangles);
+/// Of repairing a mesh that has been read.
+std::uint64_t memory_to_repair(std::uint64_t vertices, std::uint64_t triangles);
 /// Of a whole run of `relax`; no other command that relaxes or draws takes more.
 std::uint64_t memory_to_run(const RunSize& size);
 /// Of a whole run of `remesh`.

@@ -36,10 +36,12 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
       facts.boundary_edges == 0 ? "closed"
                                 : counted(facts.boundary_edges, "boundary edge", "boundary edges"),
       facts.area, facts.bounding_diagonal);
-  const bool in_graph = handled_by == HandledBy::graph;
   const auto found = [&](std::size_t count, std::string what, const char* by_graph,
                          const char* by_surface) {
-    text += finding(count, what.append(in_graph ? by_graph : by_surface));
+    what += handled_by == HandledBy::graph     ? by_graph
+            : handled_by == HandledBy::surface ? by_surface
+                                               : "";
+    text += finding(count, what);
   };
   text += finding(input.polygon_count, "polygons: split into triangles");
   text += finding(input.welded_corners, "repeated corners: welded");
@@ -53,6 +55,44 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
   found(facts.inconsistent_edges, "edges between opposite orientations", ": connected",
         ": connected");
   found(facts.zero_length_edges, "edges without length", ": one tick long", "");
+  return text;
+}
+
+std::string describe(const Repairs& repairs) {
+  std::string text;
+  const auto tell = [&](std::size_t count, const char* singular, const char* plural) {
+    if (count > 0)
+      text += fmt::format("  {:<12}{}\n", "repaired", counted(count, singular, plural));
+  };
+  tell(repairs.unused_vertices, "vertex of no triangle: left out",
+       "vertices of no triangle: left out");
+  tell(repairs.repeated_vertex_triangles, "triangle naming a vertex twice: left out",
+       "triangles naming a vertex twice: left out");
+  tell(repairs.duplicate_triangles, "duplicate triangle: left out",
+       "duplicate triangles: left out");
+  tell(repairs.vertices_cut, "vertex cut apart, where surfaces touch",
+       "vertices cut apart, where surfaces touch");
+  tell(repairs.vertices_merged, "vertex merged with one in the same place",
+       "vertices merged with others in the same place");
+  tell(repairs.slivers_removed, "triangle without area: removed",
+       "triangles without area: removed");
+  tell(repairs.triangles_turned, "triangle turned, to the orientation of its neighbours",
+       "triangles turned, to the orientation of their neighbours");
+  if (repairs.holes_filled > 0) {
+    text += fmt::format("  {:<12}{} filled with {}\n", "repaired",
+                        counted(repairs.holes_filled, "hole", "holes"),
+                        counted(repairs.triangles_added, "triangle", "triangles"));
+  }
+  if (text.empty())
+    text = fmt::format("  {:<12}nothing: no flaw that a repair knows\n", "repaired");
+  const auto leave = [&](std::size_t count, const char* singular, const char* plural) {
+    if (count > 0) text += fmt::format("  {:<12}{}\n", "left", counted(count, singular, plural));
+  };
+  leave(repairs.slivers_left, "triangle without area", "triangles without area");
+  leave(repairs.unorientable_components, "component that cannot be oriented, like a Moebius strip",
+        "components that cannot be oriented, like a Moebius strip");
+  leave(repairs.holes_left, "small hole, whose filling would fold or touch the surface",
+        "small holes, whose filling would fold or touch the surface");
   return text;
 }
 

@@ -5,15 +5,20 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_topology.h"
+#include "geolloyd/repair.h"
 
 namespace geolloyd {
 
-/// Who handles the flaws of a mesh: a graph of its vertices or triangles, or a surface remesh.
-enum class HandledBy { graph, surface };
+/// Who handles the flaws of a mesh: a graph of its vertices or triangles, a surface remesh, or a
+/// repair, which tells of it itself.
+enum class HandledBy { graph, surface, repair };
 
 /// A mesh in a few lines for people: what it is, then what was found in it and how that is handled.
 std::string describe(const LoadedMesh& input, const MeshFacts& facts,
                      HandledBy handled_by = HandledBy::graph);
+
+/// What a repair did, a line for each kind.
+std::string describe(const Repairs& repairs);
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);

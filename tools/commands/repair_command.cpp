@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "core/base/stopwatch.h"
+#include "core/formats/mesh_io.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_topology.h"
+#include "tools/cli/relax_arguments.h"
+#include "tools/cli/repair_arguments.h"
+#include "tools/commands/commands.h"
+#include "tools/files/csv.h"
+#include "tools/files/file_group.h"
+#include "tools/files/output_folder.h"
+#include "tools/report/report_parts.h"
+#include "tools/run/input.h"
+#include "tools/run/stages.h"
+#include "tools/system/build_facts.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+#include "tools/system/progress.h"
+#include "tools/words/facts_text.h"
+
+namespace geolloyd {
+namespace {
+
+struct RepairCommandArguments {
+  std::filesystem::path mesh;
+  RepairArguments repair;
+  ThreadArguments threads;
+  std::filesystem::path output;
+  std::filesystem::path map_file;     // empty: none
+  std::filesystem::path report_file;  // empty: none
+
+  // The repaired mesh first.
+  [[nodiscard]] std::vector<std::filesystem::path> outputs() const {
+    std::vector<std::filesystem::path> files = {output};
+    for (const auto& file : {map_file, report_file}) {
+      if (!file.empty()) files.push_back(file);
+    }
+    return files;
+  }
+};
+
+void check_targets(const RepairCommandArguments& arguments) {
+  check_mesh_name(arguments.output);
+  std::vector<std::filesystem::path> others = {arguments.mesh};
+  for (const auto& file : arguments.outputs()) {
+    check_target(file, others);
+    others.push_back(file);
+  }
+}
+
+void write_origins(const RepairedMesh& repaired, FileWriter& out) {
+  out.text("vertex,input_vertex\n");
+  for (std::size_t v = 0; v < repaired.origin.size(); ++v) write_row(out, v, repaired.origin[v]);
+}
+
+void run_repair(const RepairCommandArguments& arguments) {
+  check_targets(arguments);
+  const Stopwatch total;
+  ProgressLine progress;
+  Scheduler scheduler = make_scheduler(arguments.threads);
+  progress.stage("reading " + arguments.mesh.string());
+  const Input given = load_input(arguments.mesh, scheduler).input;
+  const auto bytes = memory_to_repair(given.facts.vertices, given.facts.triangles);
+  announce_memory(arguments.mesh.string(), bytes);
+  progress.stage("repairing");
+  const Stopwatch watch;
+  const RepairedMesh repaired =
+      make_repaired_mesh(given.mesh(), arguments.repair.options, scheduler);
+  const double seconds = watch.seconds();
+  const MeshEdges edges = find_edges(repaired.mesh, scheduler);
+  const MeshFacts facts = check_mesh(repaired.mesh, edges, scheduler);
+  const MeshTopology topology = find_topology(repaired.mesh, edges);
+
+  progress.stage("writing " + arguments.output.string());
+  const std::vector<std::filesystem::path> names = arguments.outputs();
+  FileGroup files(names);
+  write_mesh(files[0], repaired.mesh);
+  if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
+  if (!arguments.report_file.empty()) {
+    Json report = {{"command", "repair"},
+                   {"program", program_name()},
+                   {"machine", machine_part()},
+                   {"input", mesh_part(given)},
+                   {"options", {{"fill_holes", name_of_hole_size(arguments.repair.options)}}},
+                   {"repairs", repairs_part(repaired.repairs)},
+                   {"vertices", facts.vertices},
+                   {"triangles", facts.triangles},
+                   {"area", facts.area},
+                   {"topology", topology_part(topology)},
+                   {"is_manifold", topology.is_manifold()},
+                   {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
+    files[names.size() - 1].text(json_text(report));
+  }
+  files.commit();
+  progress.clear();
+  fmt::print("{}\n{}{}", given.file.string(),
+             describe(given.loaded, given.facts, HandledBy::repair), describe(repaired.repairs));
+  fmt::print("  {:<12}{}, {}, {}, Euler characteristic {}, {}, area {:.6g}\n", "result",
+             counted(facts.vertices, "vertex", "vertices"),
+             counted(facts.triangles, "triangle", "triangles"),
+             counted(facts.components, "component", "components"), facts.euler_characteristic,
+             describe(topology), facts.area);
+  fmt::print("  {:<12}{:.2f} s: repair {:.2f}\n  {:<11}", "time", total.seconds(), seconds,
+             "written");
+  for (const auto& name : names) fmt::print(" {}", name.string());
+  fmt::print("\n");
+}
+
+}  // namespace
+
+void add_repair_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "repair", "Repair a mesh: duplicates, cracks, slivers, orientations, small holes");
+  const auto a = std::make_shared<RepairCommandArguments>();
+  command->add_option("MESH", a->mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
+  command->add_option("-o,--output", a->output, "PLY, OBJ, OFF or STL file for the repaired mesh")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--map", a->map_file,
+                   "CSV file that tells which vertex of the input each vertex was")
+      ->type_name("FILE");
+  command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");
+  add_hole_option(*command, a->repair);
+  add_thread_options(*command, a->threads);
+  command->callback([a] { run_repair(*a); });
+}
+
+}  // namespace geolloyd
