@@ -18,9 +18,8 @@ namespace geolloyd {
 /// STL, which knows float32 only. Properties that the format cannot hold are passed over.
 void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
 
-/// What write_mesh passes over in a file of that name, a line each with the reason.
-std::vector<std::string> left_out_of(const std::filesystem::path& path,
-                                     const Properties& properties);
+/// Removes what write_mesh would pass over in a file of that name, and says so in `left_out`.
+void keep_writable(const std::filesystem::path& path, Properties& properties);
 
 /// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
 void check_mesh_name(const std::filesystem::path& path);

@@ -185,25 +185,28 @@ void check_mesh_name(const std::filesystem::path& path) {
   (void)format_of(path);
 }
 
-std::vector<std::string> left_out_of(const std::filesystem::path& path,
-                                     const Properties& properties) {
+void keep_writable(const std::filesystem::path& path, Properties& properties) {
   const MeshFormat format = format_of(path);
-  if (format == MeshFormat::ply) return {};
+  if (format == MeshFormat::ply) return;
   static constexpr std::array<const char*, 4> names = {"PLY", "OBJ", "OFF", "STL"};
   const TextProperties held(format, properties);
-  std::vector<std::string> lines;
-  const auto add = [&](std::span<const Property> all, const std::string& what) {
-    std::vector<Property> others;
+  const auto keep = [&](const std::vector<Property>& all, const char* what) {
+    std::vector<Property> kept;
+    std::vector<Property> lost;
     for (const Property& property : all) {
-      if (!held.hold(property)) others.push_back({property.name, {}});
+      (held.hold(property) ? kept : lost).push_back(property);
     }
-    if (others.empty()) return;
-    lines.push_back(list_names(others) + " of " + what + ": " +
-                    names[static_cast<std::size_t>(format)] + " has no place for them; PLY has");
+    if (!lost.empty()) {
+      properties.left_out.push_back(list_names(lost) + " of " + what + ": " +
+                                    names[static_cast<std::size_t>(format)] +
+                                    " has no place for them; PLY has");
+    }
+    return kept;
   };
-  add(properties.of_vertices, "vertices");
-  add(properties.of_triangles, "triangles");
-  return lines;
+  std::vector<Property> of_vertices = keep(properties.of_vertices, "vertices");
+  std::vector<Property> of_triangles = keep(properties.of_triangles, "triangles");
+  properties.of_vertices = std::move(of_vertices);
+  properties.of_triangles = std::move(of_triangles);
 }
 
 void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties) {

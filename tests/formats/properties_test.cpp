@@ -68,8 +68,8 @@ std::vector<Property> all_types_of_text() {
   return properties;
 }
 
-const Mesh tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+const Mesh corner_tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
 enum class Encoding { ascii, little, big };
 
@@ -123,7 +123,7 @@ std::string ply_of(const std::vector<Property>& properties, Encoding encoding) {
   };
   for (std::size_t v = 0; v < 4; ++v) {
     append_row(v, [&] {
-      for (const double x : tetrahedron.positions[v]) {
+      for (const double x : corner_tetrahedron.positions[v]) {
         append_number(std::vector<double>{x}, 0, encoding, bytes);
       }
     });
@@ -131,7 +131,7 @@ std::string ply_of(const std::vector<Property>& properties, Encoding encoding) {
   for (std::size_t t = 0; t < 4; ++t) {
     append_row(t, [&] {
       append_number(std::vector<std::uint8_t>{3}, 0, encoding, bytes);
-      for (const VertexId corner : tetrahedron.triangles[t]) {
+      for (const VertexId corner : corner_tetrahedron.triangles[t]) {
         append_number(std::vector<std::int32_t>{static_cast<std::int32_t>(corner)}, 0, encoding,
                       bytes);
       }
@@ -147,7 +147,7 @@ class MeshProperties : public testing::Test {
   }
 
   [[nodiscard]] Properties round_trip(const std::string& name, const Properties& properties) const {
-    write_mesh(folder_.path() / name, tetrahedron, properties);
+    write_mesh(folder_.path() / name, corner_tetrahedron, properties);
     return read_mesh(folder_.path() / name, {true}).properties;
   }
 
@@ -172,8 +172,8 @@ TEST_F(MeshProperties, EveryTypeOfPlyKeepsItsBits) {
     SCOPED_TRACE(static_cast<int>(encoding));
     const auto properties = encoding == Encoding::ascii ? all_types_of_text() : all_types();
     const LoadedMesh loaded = load("m.ply", ply_of(properties, encoding));
-    EXPECT_EQ(loaded.mesh.positions, tetrahedron.positions);
-    EXPECT_EQ(loaded.mesh.triangles, tetrahedron.triangles);
+    EXPECT_EQ(loaded.mesh.positions, corner_tetrahedron.positions);
+    EXPECT_EQ(loaded.mesh.triangles, corner_tetrahedron.triangles);
     expect_same(loaded.properties.of_vertices, properties);
     expect_same(loaded.properties.of_triangles, properties);
     EXPECT_TRUE(loaded.properties.left_out.empty());
@@ -188,13 +188,13 @@ TEST_F(MeshProperties, AreReadOnRequestOnly) {
   EXPECT_TRUE(read_mesh(path).properties.empty());
 }
 
-const std::string ascii_start =
+const std::string four_vertices =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\n";
 
 TEST_F(MeshProperties, TextKeepsNumbersThatAreNone) {
   const LoadedMesh loaded =
-      load("m.ply", ascii_start +
+      load("m.ply", four_vertices +
                         "property float q\nelement face 1\nproperty list uchar int vertex_indices\n"
                         "end_header\n0 0 0 nan\n1 0 0 -inf\n0 1 0 1e-60\n1 1 0 +0.1\n3 0 1 2\n");
   const auto& q = std::get<std::vector<float>>(loaded.properties.of_vertices.at(0).values);
@@ -220,7 +220,7 @@ TEST_F(MeshProperties, OfAPolygonAreThoseOfItsTriangles) {
 TEST_F(MeshProperties, WhatCannotBeCarriedIsNamed) {
   const LoadedMesh loaded = load(
       "m.ply",
-      ascii_start +
+      four_vertices +
           "property list uchar float weights\nproperty int a\nproperty float a\nproperty int b\n"
           "element face 1\nproperty list uchar int vertex_indices\n"
           "property list uchar float texcoord\nelement edge 1\nproperty int k\nend_header\n"
@@ -235,7 +235,7 @@ TEST_F(MeshProperties, WhatCannotBeCarriedIsNamed) {
 
 TEST_F(MeshProperties, MalformedOnesNameTheirLine) {
   const auto vertex = [&](const std::string& type, const std::string& value) {
-    return complaint("m.ply", ascii_start + "property " + type +
+    return complaint("m.ply", four_vertices + "property " + type +
                                   " q\nelement face 1\nproperty list uchar int vertex_indices\n"
                                   "end_header\n0 0 0 1\n1 0 0 " +
                                   value + "\n0 1 0 1\n1 1 0 1\n3 0 1 2\n");
@@ -266,7 +266,7 @@ TEST_F(MeshProperties, MalformedOnesNameTheirLine) {
             "m.off: line 6: expected a number, found 'red'");
 }
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_F(MeshProperties, ObjHasColoursTextureCoordinatesAndNormals) {
   const LoadedMesh loaded =
@@ -288,7 +288,7 @@ TEST_F(MeshProperties, ObjHasColoursTextureCoordinatesAndNormals) {
 }
 
 TEST_F(MeshProperties, ObjSeamsAreNotCarried) {
-  const LoadedMesh loaded = load("m.obj", square +
+  const LoadedMesh loaded = load("m.obj", obj_square +
                                               "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n"
                                               "f 1/1/1 2/2/1 3/3/1\nf 1/2/1 3/3/1 4/1\n");
   EXPECT_TRUE(loaded.properties.empty());
@@ -313,7 +313,7 @@ TEST_F(MeshProperties, ObjColoursThatAreNoBytesStayAsTheyAre) {
 
 TEST_F(MeshProperties, ObjGroupsAndMaterialsBecomeLabels) {
   const LoadedMesh loaded =
-      load("m.obj", square +
+      load("m.obj", obj_square +
                         "g left arm\nusemtl steel\nf 1 2 3\ng right arm\nf 1 2 3 4\n"
                         "g left arm\nf 2 3 4\n");
   expect_same(loaded.properties.of_triangles, {{"group", std::vector<std::int32_t>{0, 1, 1, 0}}});
@@ -338,6 +338,14 @@ TEST_F(MeshProperties, OffHasColoursNormalsAndTextureCoordinates) {
                                                {"blue", std::vector<std::uint8_t>{30}}});
 }
 
+std::vector<std::string> lost_in(const char* name, Properties properties) {
+  const std::size_t before = properties.of_vertices.size() + properties.of_triangles.size();
+  keep_writable(name, properties);
+  const std::size_t after = properties.of_vertices.size() + properties.of_triangles.size();
+  EXPECT_EQ(after == before, properties.left_out.empty());
+  return properties.left_out;
+}
+
 Properties coloured() {
   Properties properties;
   properties.of_vertices = {{"red", std::vector<std::uint8_t>{0, 1, 128, 255}},
@@ -359,18 +367,18 @@ TEST_F(MeshProperties, TextFormatsKeepWhatTheyCanHold) {
   const Properties off = round_trip("m.off", properties);
   expect_same(off.of_vertices, properties.of_vertices);
   expect_same(off.of_triangles, properties.of_triangles);
-  EXPECT_TRUE(left_out_of("m.off", properties).empty());
+  EXPECT_TRUE(lost_in("m.off", properties).empty());
   const Properties obj = round_trip("m.obj", properties);
   expect_same(obj.of_vertices, properties.of_vertices);
   EXPECT_TRUE(obj.of_triangles.empty());
-  EXPECT_EQ(left_out_of("m.obj", properties),
+  EXPECT_EQ(lost_in("m.obj", properties),
             std::vector<std::string>{
                 "red, green, blue of triangles: OBJ has no place for them; PLY has"});
   EXPECT_TRUE(round_trip("m.stl", properties).empty());
-  EXPECT_EQ(left_out_of("m.stl", properties).size(), 2U);
+  EXPECT_EQ(lost_in("m.stl", properties).size(), 2U);
   Properties labels;
   labels.of_vertices = {{"label", std::vector<std::int32_t>{1, 2, 3, 4}}};
-  EXPECT_EQ(left_out_of("m.off", labels),
+  EXPECT_EQ(lost_in("m.off", labels),
             std::vector<std::string>{"label of vertices: OFF has no place for them; PLY has"});
 }
 
@@ -392,7 +400,7 @@ TEST_F(MeshProperties, LabelsOfRegionsLeaveNamesToThemselves) {
   properties.of_vertices.push_back({"input_red", std::vector<float>{1, 2, 3, 4}});
   const std::vector<Label> labels(4, Label{{1, 2, 3}, 5});
   FileWriter out(folder_.path() / "m.ply");
-  write_labelled_ply(out, tetrahedron, labels, {}, properties);
+  write_labelled_ply(out, corner_tetrahedron, labels, {}, properties);
   out.commit();
   const Properties again = read_mesh(folder_.path() / "m.ply", {true}).properties;
   EXPECT_EQ(list_names(again.of_vertices),
@@ -406,7 +414,7 @@ TEST_F(MeshProperties, LabelsOfRegionsLeaveNamesToThemselves) {
 TEST_F(MeshProperties, ThatDoNotFitAreRefused) {
   const auto refused = [&](const Properties& properties) {
     try {
-      write_mesh(folder_.path() / "m.ply", tetrahedron, properties);
+      write_mesh(folder_.path() / "m.ply", corner_tetrahedron, properties);
       return std::string();
     } catch (const InvalidInput& error) {
       return std::string(error.what());
@@ -432,7 +440,7 @@ TEST_F(MeshProperties, NeverTakeMemoryThatTheFileDoesNotWarrant) {
       "property float y\nproperty float z\nelement face 1\n"
       "property list int int vertex_indices\n";
   for (std::size_t i = 0; i < properties; ++i) {
-    bytes += "property double p" + std::to_string(i) + "\n";
+    bytes.append("property double p").append(std::to_string(i)).append("\n");
   }
   bytes += "end_header\n0 0 0\n1 0 0\n0 1 0\n" + std::to_string(corners);
   for (std::size_t i = 0; i < corners; ++i) bytes += " " + std::to_string(i % 3);

@@ -23,6 +23,7 @@ struct FeatureArguments {
   double crease_angle = 0;           ///< degrees
   std::filesystem::path edges_file;  ///< empty: none
   std::filesystem::path fixed_file;  ///< empty: none
+  std::string labels;                ///< a property, borders between whose values are kept; or ""
 };
 
 /// All of `remesh`.
@@ -31,6 +32,7 @@ struct SurfaceRemeshArguments {
   FinenessArguments fineness;
   FeatureArguments features;
   bool no_fit = false;
+  bool carries_properties = true;
   EngineKind engine = EngineKind::parallel;
   ThreadArguments threads;
   PictureArguments picture;
@@ -52,7 +54,7 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
 /// Throws InvalidInput unless one of the three is given.
 void check_fineness(const FinenessArguments& fineness);
 
-/// --features, --feature-edges and --fixed.
+/// --features, --feature-edges, --feature-labels and --fixed.
 void add_feature_options(CLI::App& command, FeatureArguments& features);
 /// As --features has it.
 std::string name_of_creases(const FeatureArguments& features);

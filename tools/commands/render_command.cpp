@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/formats/tangent_field_file.h"
+#include "core/mesh/properties.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
@@ -47,6 +48,8 @@ class Renderer {
     } else {
       read_mesh_alone();
     }
+    own_colours_ = colours_of(start_.input.loaded.properties);
+    start_.input.loaded.properties = {};
     progress_.stage("drawing " + arguments_.output.string());
     const Picture picture(start_.input.mesh(), look.view, look.size, panels_.size(),
                           have_captions(panels_), scheduler_);
@@ -66,12 +69,14 @@ class Renderer {
 
   void read_mesh_alone() {
     progress_.stage("reading " + arguments_.start.mesh.string());
-    start_.input = load_input(arguments_.start.mesh, scheduler_).input;
+    start_.input =
+        load_input(arguments_.start.mesh, scheduler_, {arguments_.start.has_properties}).input;
     const Mesh& mesh = start_.input.mesh();
     const PictureArguments& look = arguments_.picture;
     announce_memory(arguments_.start.mesh.string(),
                     memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                   count_samples(mesh, look.view, look.size, scheduler_)));
+                                   count_samples(mesh, look.view, look.size, scheduler_),
+                                   bytes_of(start_.input.loaded.properties)));
   }
 
   void find_partition() {
@@ -100,9 +105,9 @@ class Renderer {
     const PartitionView view{start_.mesh_graph, found_.partition, start_.seeds, colours_};
     switch (kind) {
       case PanelKind::surface:
-        return paint_surface(scene, scheduler_);
+        return paint_surface(scene, scheduler_, own_colours_);
       case PanelKind::mesh:
-        return paint_mesh(scene, scheduler_);
+        return paint_mesh(scene, scheduler_, own_colours_);
       case PanelKind::regions:
         return paint_regions(view, scene, scheduler_);
       case PanelKind::trees:
@@ -128,7 +133,8 @@ class Renderer {
   ProgressLine progress_;
   Start start_;  // the input alone where no panel needs more
   EnginePartition found_;
-  std::vector<Colour> colours_;
+  std::vector<Colour> colours_;  // of regions
+  SurfaceColours own_colours_;
 };
 
 // What can be found wrong without the mesh is, before the work.
@@ -179,6 +185,9 @@ void add_render_command(CLI::App& program) {
       "transparent; with captions it is white.");
   command->callback([a] {
     const std::vector<Panel> panels = check(*a);
+    a->start.has_properties = std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
+      return panel.kind == PanelKind::surface || panel.kind == PanelKind::mesh;
+    });
     Renderer(*a, panels).render();
   });
 }

@@ -21,9 +21,10 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 
 /// Reads the mesh and finds its edges. Throws InvalidInput where it has no area.
 LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
-                         ProgressLine& progress);
+                         ProgressLine& progress, const ReadOptions& options = {});
 
-/// Reads the files that are named. Throws InvalidInput where one does not fit the mesh.
+/// Reads the files that are named, and finds the labels. Throws InvalidInput where one does not fit
+/// the mesh.
 FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInput& loaded);
 
 /// About how many vertices a remesh with such edges has; above 0.

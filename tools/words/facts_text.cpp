@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/mesh/properties.h"
+
 namespace geolloyd {
 namespace {
 
@@ -53,6 +55,22 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
   found(facts.inconsistent_edges, "edges between opposite orientations", ": connected",
         ": connected");
   found(facts.zero_length_edges, "edges without length", ": one tick long", "");
+  return text;
+}
+
+std::string describe(const Properties& carried) {
+  std::string names;
+  const auto add = [&](const std::vector<Property>& properties, const char* of) {
+    if (properties.empty()) return;
+    names += fmt::format("{}{} of {}", names.empty() ? "" : "; ", list_names(properties), of);
+  };
+  add(carried.of_vertices, "vertices");
+  add(carried.of_triangles, "triangles");
+  std::string text;
+  if (!names.empty()) text += fmt::format("  {:<12}{}\n", "carried", names);
+  for (const std::string& line : carried.left_out) {
+    text += fmt::format("  {:<12}{}\n", "left out", line);
+  }
   return text;
 }
 

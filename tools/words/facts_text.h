@@ -15,6 +15,9 @@ enum class HandledBy { graph, surface };
 std::string describe(const LoadedMesh& input, const MeshFacts& facts,
                      HandledBy handled_by = HandledBy::graph);
 
+/// What was carried over from a mesh, and what was left out; nothing where there is neither.
+std::string describe(const Properties& carried);
+
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 
