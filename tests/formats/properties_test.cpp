@@ -443,7 +443,7 @@ TEST_F(MeshProperties, NeverTakeMemoryThatTheFileDoesNotWarrant) {
     bytes.append("property double p").append(std::to_string(i)).append("\n");
   }
   bytes += "end_header\n0 0 0\n1 0 0\n0 1 0\n" + std::to_string(corners);
-  for (std::size_t i = 0; i < corners; ++i) bytes += " " + std::to_string(i % 3);
+  for (std::size_t i = 0; i < corners; ++i) bytes.append(" ").append(std::to_string(i % 3));
   for (std::size_t i = 0; i < properties; ++i) bytes += " 1";
   const LoadedMesh loaded = load("m.ply", bytes + "\n");
   EXPECT_TRUE(loaded.properties.of_triangles.empty());

@@ -98,7 +98,7 @@ TEST(PropertyMixture, LinearFunctionsAreInterpolatedExactly) {
     std::vector<std::uint8_t> red;
     for (const Vec3& p : mesh.positions) {
       q.push_back(linear(p));
-      red.push_back(static_cast<std::uint8_t>(100 + 40 * p.x()));
+      red.push_back(static_cast<std::uint8_t>(100.5 + 40 * p.x()));
     }
     SurfaceRemeshOptions options;
     options.vertex_count = 100;

@@ -131,6 +131,7 @@ std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& prop
     throw InvalidInput(option + "its type is " + type_name(labels->values) +
                        ", and labels are integers");
   }
+  if (!is_label(*labels)) throw InvalidInput(option + "it is a part of a colour, and no label");
   const auto value = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(value_at(*labels, i)));
   };
