@@ -10,7 +10,7 @@
 namespace geolloyd {
 namespace {
 
-std::string are(std::size_t count, const char* what) {
+std::string count_of(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
 
@@ -29,20 +29,20 @@ void CornerProperties::finish(std::size_t vertex_count, Properties& properties) 
     properties.left_out.push_back(what_ + ": " + why);
   };
   if (corners_without_ > 0) {
-    return leave_out(are(corners_without_, "of ") +
-                     are(corners_.size() + corners_without_, "corners of faces have none"));
+    return leave_out(count_of(corners_without_, "of ") +
+                     count_of(corners_.size() + corners_without_, "corners of faces have none"));
   }
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::uint32_t> row_of(vertex_count, no_id);
   std::vector<std::uint8_t> is_on_seam(vertex_count, 0);
   for (const auto& [vertex, row] : corners_) {
     if (row_of[vertex] == no_id) row_of[vertex] = row;
-    if (rows_[row_of[vertex]] != rows_[row]) is_on_seam[vertex] = 1;
+    if (row_of[vertex] != row && rows_[row_of[vertex]] != rows_[row]) is_on_seam[vertex] = 1;
   }
   const auto seams = std::count(is_on_seam.begin(), is_on_seam.end(), 1);
   if (seams > 0) {
     return leave_out("a vertex has one, and " +
-                     are(static_cast<std::size_t>(seams), "of them have") +
+                     count_of(static_cast<std::size_t>(seams), "of them have") +
                      " several, in different faces (a seam)");
   }
   for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -76,8 +76,8 @@ void TextColours::finish(std::vector<Property>& properties, std::vector<std::str
   static constexpr std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
   if (parts_[0].empty()) return;
   if (parts_[0].size() < items_) {
-    left_out.push_back("colours of " + what_ + ": " + are(items_ - parts_[0].size(), "of ") +
-                       are(items_, (what_ + " have none").c_str()));
+    left_out.push_back("colours of " + what_ + ": " + count_of(items_ - parts_[0].size(), "of ") +
+                       count_of(items_, (what_ + " have none").c_str()));
     return;
   }
   if (parts_[3].size() < items_) {

@@ -90,13 +90,14 @@ class ObjReader {
     if (has_properties_) read_colour();
   }
 
-  // Behind the coordinates: three or four numbers. One number is a weight.
+  // Behind the coordinates: three or four numbers. One number is a weight, and what more than four
+  // are nobody knows.
   void read_colour() {
     std::array<double, 4> colour{};
     std::size_t count = 0;
     for (std::string_view found = word_of_statement(); !found.empty();
          found = word_of_statement()) {
-      if (count == colour.size()) text_.fail("more than a position and a colour");
+      if (count == colour.size()) return colours_.add(colour, 0);
       const auto number = parse_real(found);
       if (!number) text_.fail_expected("a part of a colour", found);
       colour[count++] = *number;

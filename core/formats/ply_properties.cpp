@@ -57,21 +57,21 @@ PlyColumnGroup::PlyColumnGroup(const PlyElement& element, std::span<const std::s
       left_out.push_back(name + "a list");
     } else if (!names.insert(property.name).second) {
       left_out.push_back(name + "the second one of this name");
-    } else if (columns.size() == most_columns) {
+    } else if (columns_.size() == most_columns) {
       left_out.push_back(name + "more than " + std::to_string(most_columns) +
                          " properties, this and the next ones");
       break;
     } else {
-      column_of_[i] = static_cast<std::uint32_t>(columns.size());
+      column_of_[i] = static_cast<std::uint32_t>(columns_.size());
       property_of_.push_back(i);
-      columns.push_back({property.name, values_of(property.type)});
+      columns_.push_back({property.name, values_of(property.type)});
     }
   }
 }
 
 void PlyColumnGroup::read(PlyBody& body, std::size_t start) {
   const std::size_t end = body.offset();
-  for (std::size_t c = 0; c < columns.size(); ++c) {
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
     body.rewind(start);
     std::visit(
         [&](auto& values) {
@@ -80,14 +80,14 @@ void PlyColumnGroup::read(PlyBody& body, std::size_t start) {
           body.for_each_row(*element_, property_of_[c],
                             [&](std::size_t row) { values[row] = body.next<Number>(); });
         },
-        columns[c].values);
+        columns_[c].values);
   }
   body.rewind(end);
 }
 
 bool PlyColumnGroup::read(TextCursor& text, std::size_t property) {
   if (property >= column_of_.size() || column_of_[property] == no_id) return false;
-  Property& column = columns[column_of_[property]];
+  Property& column = columns_[column_of_[property]];
   std::visit(
       [&](auto& values) {
         using Number = ValueOf<std::remove_cvref_t<decltype(values)>>;
@@ -117,7 +117,7 @@ PlyColumns::PlyColumns(const PlyHeader& header, const ReadOptions& options) {
 }
 
 Properties PlyColumns::take() && {
-  return {std::move(of_vertices.columns), std::move(of_faces.columns), std::move(left_out_)};
+  return {std::move(of_vertices).take(), std::move(of_faces).take(), std::move(left_out_)};
 }
 
 }  // namespace geolloyd

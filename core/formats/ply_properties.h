@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/formats/ply_body.h"
@@ -31,9 +32,10 @@ class PlyColumnGroup {
   /// of ours.
   bool read(TextCursor& text, std::size_t property);
 
-  std::vector<Property> columns;
+  [[nodiscard]] std::vector<Property> take() && { return std::move(columns_); }
 
  private:
+  std::vector<Property> columns_;
   const PlyElement* element_ = nullptr;
   std::vector<std::size_t> property_of_;  // per column
   std::vector<std::uint32_t> column_of_;  // per property of the element; no_id: none

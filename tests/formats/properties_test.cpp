@@ -183,6 +183,14 @@ TEST_F(MeshProperties, EveryTypeOfPlyKeepsItsBits) {
   }
 }
 
+TEST_F(MeshProperties, OfAFileThatWasCutOffAreRefused) {
+  const std::string whole = ply_of(all_types(), Encoding::big);
+  for (std::size_t size = whole.find("end_header"); size < whole.size(); ++size) {
+    const auto path = folder_.write("m.ply", std::string_view(whole).substr(0, size));
+    EXPECT_THROW((void)read_mesh(path, {true}), InvalidInput) << size;
+  }
+}
+
 TEST_F(MeshProperties, AreReadOnRequestOnly) {
   const auto path = folder_.write("m.ply", ply_of(all_types(), Encoding::little));
   EXPECT_TRUE(read_mesh(path).properties.empty());
@@ -309,6 +317,7 @@ TEST_F(MeshProperties, ObjColoursThatAreNoBytesStayAsTheyAre) {
   EXPECT_TRUE(some.properties.empty());
   EXPECT_EQ(some.properties.left_out,
             std::vector<std::string>{"colours of vertices: 2 of 3 vertices have none"});
+  EXPECT_TRUE(load("m.obj", "v 0 0 0 1 1 1 1 1\nv 1 0 0 1\nv 1 1 0\nf 1 2 3\n").properties.empty());
 }
 
 TEST_F(MeshProperties, ObjGroupsAndMaterialsBecomeLabels) {

@@ -387,10 +387,12 @@ TEST_F(Carrying, PicturesShowColours) {
   };
   ASSERT_EQ(render("surface", "own.png").status, 0);
   ASSERT_EQ(render("mesh", "edges.png").status, 0);
+  ASSERT_EQ(render("surface --drop", "dropped.png").status, 0);
   const Mesh plain = read_mesh(mesh_).mesh;
   write_mesh(mesh_, plain);
   ASSERT_EQ(render("surface", "plain.png").status, 0);
   EXPECT_NE(read_file(file("own.png")), read_file(file("plain.png")));
+  EXPECT_EQ(read_file(file("dropped.png")), read_file(file("plain.png")));
 }
 
 TEST(SurfaceColours, AreThoseOfVerticesElseOfTriangles) {

@@ -29,11 +29,18 @@ struct RenderArguments {
   PictureArguments picture;
   std::filesystem::path output;
   std::vector<std::string> panels;
+  bool has_own_colours = true;
 };
 
 bool have_captions(const std::vector<Panel>& panels) {
   return std::any_of(panels.begin(), panels.end(),
                      [&](const Panel& panel) { return !caption_of(panel, panels.size()).empty(); });
+}
+
+bool shows_colours(const std::vector<Panel>& panels) {
+  return std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
+    return panel.kind == PanelKind::surface || panel.kind == PanelKind::mesh;
+  });
 }
 
 class Renderer {
@@ -174,6 +181,8 @@ void add_render_command(CLI::App& program) {
                    "below a panel")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  command->add_flag("!--drop", a->has_own_colours,
+                    "Draw surface and mesh without the mesh's own colours");
   add_picture_options(*command, a->picture);
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
@@ -185,9 +194,7 @@ void add_render_command(CLI::App& program) {
       "transparent; with captions it is white.");
   command->callback([a] {
     const std::vector<Panel> panels = check(*a);
-    a->start.has_properties = std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
-      return panel.kind == PanelKind::surface || panel.kind == PanelKind::mesh;
-    });
+    a->start.has_properties = a->has_own_colours && shows_colours(panels);
     Renderer(*a, panels).render();
   });
 }
