@@ -10,14 +10,15 @@
 namespace geolloyd {
 namespace {
 
-ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name) {
+ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name,
+                    const ReadOptions& options) {
   switch (format) {
     case MeshFormat::ply:
-      return read_ply(bytes, name);
+      return read_ply(bytes, name, options);
     case MeshFormat::obj:
-      return read_obj(bytes, name);
+      return read_obj(bytes, name, options);
     case MeshFormat::off:
-      return read_off(bytes, name);
+      return read_off(bytes, name, options);
     case MeshFormat::stl:
       break;
   }
@@ -54,19 +55,22 @@ void check_extent(const Mesh& mesh, std::string_view name) {
 
 }  // namespace
 
-LoadedMesh read_mesh(const std::filesystem::path& path) {
+LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   const MeshFormat format = format_of(path);
-  return parse_mesh(format, read_file(path), path.string());
+  return parse_mesh(format, read_file(path), path.string(), options);
 }
 
-LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name) {
+LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
+                      const ReadOptions& options) {
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
   if (bytes.starts_with("\x1f\x8b\x08"))
     fail_at_byte(name, 0, "the file is compressed; gunzip it first");
-  ParsedMesh loaded = parse_as(format, bytes, name);
+  ParsedMesh loaded = parse_as(format, bytes, name, options);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
   triangulate_concave(loaded.mesh, loaded.fans);
+  spread_over_triangles(loaded.fans, loaded.mesh.triangle_count(), 64 * bytes.size(),
+                        loaded.properties);
   return static_cast<LoadedMesh&&>(loaded);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/text/file_writer.h"
@@ -14,8 +15,11 @@ namespace geolloyd {
 /// Writes a mesh into an open file, as write_mesh (geolloyd/mesh.h) does; the format is told by the
 /// extension. No
 /// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
-/// STL, which knows float32 only.
-void write_mesh(FileWriter& out, const Mesh& mesh);
+/// STL, which knows float32 only. Properties that the format cannot hold are passed over.
+void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
+
+/// Removes what write_mesh would pass over in a file of that name, and says so in `left_out`.
+void keep_writable(const std::filesystem::path& path, Properties& properties);
 
 /// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
 void check_mesh_name(const std::filesystem::path& path);
@@ -30,8 +34,9 @@ struct Label {
 };
 
 /// PLY as write_mesh does, with the properties red, green, blue and region for each vertex, or for
-/// each triangle, or for both; an empty span is left out.
+/// each triangle, or for both; an empty span is left out. The mesh's own properties of the same
+/// name are input_red and so on.
 void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
-                        std::span<const Label> triangle_label);
+                        std::span<const Label> triangle_label, const Properties& properties = {});
 
 }  // namespace geolloyd

@@ -32,13 +32,15 @@ struct ParsedMesh : LoadedMesh {
 };
 
 /// What read_mesh makes of a file that holds `bytes`; `name` opens every message.
-LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name);
+LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
+                      const ReadOptions& options = {});
 
 /// One reader per format: `bytes` is the whole file, `name` opens every message. Coordinates of the
-/// result are usable and its indices in range; it may still be empty.
-ParsedMesh read_ply(std::string_view bytes, std::string_view name);
-ParsedMesh read_obj(std::string_view bytes, std::string_view name);
-ParsedMesh read_off(std::string_view bytes, std::string_view name);
+/// result are usable and its indices in range; it may still be empty. Properties of triangles have
+/// a value per face, yet. STL has none.
+ParsedMesh read_ply(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ParsedMesh read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ParsedMesh read_off(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_stl(std::string_view bytes, std::string_view name);
 
 /// Throws InvalidInput "NAME: byte OFFSET: MESSAGE".

@@ -1,114 +1,163 @@
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "core/formats/mesh_readers.h"
-#include "core/text/file_writer.h"
+#include "core/formats/mesh_writers.h"
+#include "core/mesh/properties.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
 
-// As three float32.
-void write_floats(FileWriter& out, const Vec3& position) {
-  for (const double coordinate : position) out.raw(static_cast<float>(coordinate));
+// Numbers that text formats write in a row.
+using Numbers = std::vector<const Property*>;
+
+Numbers numbers_of(std::span<const Property> properties, const std::vector<const char*>& names) {
+  Numbers numbers;
+  for (const char* name : names) {
+    const Property* property = find_property(properties, name);
+    if (property == nullptr) return {};
+    numbers.push_back(property);
+  }
+  return numbers;
 }
 
-// Told by its bits: compilers may take a cast to float and back for nothing.
-bool is_float(double x) {
-  constexpr std::uint64_t beyond_float = (std::uint64_t{1} << 29) - 1;
-  const double size = std::abs(x);
-  return x == 0 ||
-         ((std::bit_cast<std::uint64_t>(x) & beyond_float) == 0 &&
-          size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max());
+// What OBJ and OFF can hold.
+struct TextProperties {
+  Numbers colours;  // of vertices
+  Numbers normals;  // of vertices
+  Numbers texture;  // of vertices
+  Numbers triangle_colours;
+
+  TextProperties(MeshFormat format, const Properties& properties) {
+    if (format != MeshFormat::obj && format != MeshFormat::off) return;
+    const std::span<const Property> vertices = properties.of_vertices;
+    colours = colours_of(vertices, format);
+    normals = numbers_of(vertices, {"nx", "ny", "nz"});
+    for (const auto& names : {std::vector{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
+      if (texture.empty()) texture = numbers_of(vertices, names);
+    }
+    if (format == MeshFormat::off) triangle_colours = colours_of(properties.of_triangles, format);
+  }
+
+  [[nodiscard]] bool hold(const Property& property) const {
+    const std::array<const Numbers*, 4> lists = all();
+    return std::any_of(lists.begin(), lists.end(), [&](const Numbers* numbers) {
+      return std::find(numbers->begin(), numbers->end(), &property) != numbers->end();
+    });
+  }
+
+ private:
+  // OBJ knows no alpha.
+  static Numbers colours_of(std::span<const Property> properties, MeshFormat format) {
+    Numbers colours = numbers_of(properties, {"red", "green", "blue"});
+    const Property* alpha = find_property(properties, "alpha");
+    if (!colours.empty() && alpha != nullptr && format == MeshFormat::off) colours.push_back(alpha);
+    return colours;
+  }
+
+  [[nodiscard]] std::array<const Numbers*, 4> all() const {
+    return {&colours, &normals, &texture, &triangle_colours};
+  }
+};
+
+void write_values(FileWriter& out, const Numbers& numbers, std::size_t row) {
+  for (const Property* property : numbers) {
+    out.text(" ");
+    std::visit([&](const auto& values) { out.number(values[row]); }, property->values);
+  }
 }
 
-bool are_floats(const std::vector<Vec3>& positions) {
-  return std::all_of(positions.begin(), positions.end(), [](const Vec3& p) {
-    return is_float(p.x()) && is_float(p.y()) && is_float(p.z());
+// Between 0 and 1.
+void write_intensities(FileWriter& out, const Numbers& numbers, std::size_t row) {
+  for (const Property* property : numbers) {
+    out.text(" ");
+    out.number(intensity_at(*property, row));
+  }
+}
+
+// Bytes as whole numbers; the reader tells them from shares.
+void write_off_colour(FileWriter& out, const Numbers& numbers, std::size_t row) {
+  const bool are_bytes = std::all_of(numbers.begin(), numbers.end(), [](const Property* p) {
+    return std::holds_alternative<std::vector<std::uint8_t>>(p->values);
   });
+  if (are_bytes) return write_values(out, numbers, row);
+  write_intensities(out, numbers, row);
 }
 
-void write_label(FileWriter& out, const Label& label) {
-  for (const std::uint8_t channel : label.colour) out.raw(channel);
-  out.raw(label.region);
+void write_position(FileWriter& out, const Vec3& position) {
+  out.number(position.x());
+  out.text(" ");
+  out.number(position.y());
+  out.text(" ");
+  out.number(position.z());
 }
 
-void write_ply_header(FileWriter& out, const Mesh& mesh, bool floats, bool vertex_labels,
-                      bool triangle_labels) {
-  const std::string real = floats ? "float" : "double";
-  const std::string label =
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int region\n";
-  out.text("ply\nformat binary_little_endian 1.0\ncomment written by geolloyd\nelement vertex ");
-  out.number(mesh.vertex_count());
-  out.text("\nproperty " + real + " x\nproperty " + real + " y\nproperty " + real + " z\n");
-  if (vertex_labels) out.text(label);
-  out.text("element face ");
-  out.number(mesh.triangle_count());
-  out.text("\nproperty list uchar uint vertex_indices\n");
-  if (triangle_labels) out.text(label);
-  out.text("end_header\n");
+void write_rows(FileWriter& out, std::string_view keyword, const Numbers& numbers,
+                std::size_t count) {
+  if (numbers.empty()) return;
+  for (std::size_t row = 0; row < count; ++row) {
+    out.text(keyword);
+    write_values(out, numbers, row);
+    out.text("\n");
+  }
 }
 
-void write_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
-               std::span<const Label> triangle_label) {
-  const bool floats = are_floats(mesh.positions);
-  write_ply_header(out, mesh, floats, !vertex_label.empty(), !triangle_label.empty());
+// A vertex is its own texture coordinate and normal.
+void write_obj(FileWriter& out, const Mesh& mesh, const TextProperties& properties) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const Vec3& p = mesh.positions[v];
-    if (floats) {
-      write_floats(out, p);
-    } else {
-      for (const double coordinate : p) out.raw(coordinate);
-    }
-    if (!vertex_label.empty()) write_label(out, vertex_label[v]);
-  }
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    out.raw(std::uint8_t{3});
-    for (const VertexId vertex : mesh.triangles[t]) out.raw(vertex);
-    if (!triangle_label.empty()) write_label(out, triangle_label[t]);
-  }
-}
-
-void write_positions(FileWriter& out, const Mesh& mesh, std::string_view opening) {
-  for (const Vec3& position : mesh.positions) {
-    out.text(opening);
-    out.number(position.x());
-    out.text(" ");
-    out.number(position.y());
-    out.text(" ");
-    out.number(position.z());
+    out.text("v ");
+    write_position(out, mesh.positions[v]);
+    write_intensities(out, properties.colours, v);
     out.text("\n");
   }
-}
-
-void write_triangles(FileWriter& out, const Mesh& mesh, std::string_view opening,
-                     std::uint64_t first_vertex) {
+  write_rows(out, "vt", properties.texture, mesh.vertex_count());
+  write_rows(out, "vn", properties.normals, mesh.vertex_count());
+  const bool has_texture = !properties.texture.empty();
+  const bool has_normals = !properties.normals.empty();
   for (const Triangle& triangle : mesh.triangles) {
-    out.text(opening);
+    out.text("f");
     for (const VertexId vertex : triangle) {
+      const std::uint64_t id = std::uint64_t{vertex} + 1;
       out.text(" ");
-      out.number(first_vertex + vertex);
+      out.number(id);
+      if (has_texture || has_normals) out.text("/");
+      if (has_texture) out.number(id);
+      if (has_normals) out.text("/");
+      if (has_normals) out.number(id);
     }
     out.text("\n");
   }
 }
 
-void write_obj(FileWriter& out, const Mesh& mesh) {
-  write_positions(out, mesh, "v ");
-  write_triangles(out, mesh, "f", 1);
-}
-
-void write_off(FileWriter& out, const Mesh& mesh) {
+void write_off(FileWriter& out, const Mesh& mesh, const TextProperties& properties) {
+  if (!properties.texture.empty()) out.text("ST");
+  if (!properties.colours.empty()) out.text("C");
+  if (!properties.normals.empty()) out.text("N");
   out.text("OFF\n");
   out.number(mesh.vertex_count());
   out.text(" ");
   out.number(mesh.triangle_count());
   out.text(" 0\n");
-  write_positions(out, mesh, "");
-  write_triangles(out, mesh, "3", 0);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    write_position(out, mesh.positions[v]);
+    write_values(out, properties.normals, v);
+    write_off_colour(out, properties.colours, v);
+    write_values(out, properties.texture, v);
+    out.text("\n");
+  }
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    out.text("3");
+    for (const VertexId vertex : mesh.triangles[t]) {
+      out.text(" ");
+      out.number(vertex);
+    }
+    write_off_colour(out, properties.triangle_colours, t);
+    out.text("\n");
+  }
 }
 
 void write_stl(FileWriter& out, const Mesh& mesh) {
@@ -136,29 +185,50 @@ void check_mesh_name(const std::filesystem::path& path) {
   (void)format_of(path);
 }
 
-void write_mesh(FileWriter& out, const Mesh& mesh) {
-  switch (format_of(out.path())) {
+void keep_writable(const std::filesystem::path& path, Properties& properties) {
+  const MeshFormat format = format_of(path);
+  if (format == MeshFormat::ply) return;
+  static constexpr std::array<const char*, 4> names = {"PLY", "OBJ", "OFF", "STL"};
+  const TextProperties held(format, properties);
+  const auto keep = [&](const std::vector<Property>& all, const char* what) {
+    std::vector<Property> kept;
+    std::vector<Property> lost;
+    for (const Property& property : all) {
+      (held.hold(property) ? kept : lost).push_back(property);
+    }
+    if (!lost.empty()) {
+      properties.left_out.push_back(list_names(lost) + " of " + what + ": " +
+                                    names[static_cast<std::size_t>(format)] +
+                                    " has no place for them; PLY has");
+    }
+    return kept;
+  };
+  std::vector<Property> of_vertices = keep(properties.of_vertices, "vertices");
+  std::vector<Property> of_triangles = keep(properties.of_triangles, "triangles");
+  properties.of_vertices = std::move(of_vertices);
+  properties.of_triangles = std::move(of_triangles);
+}
+
+void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties) {
+  const MeshFormat format = format_of(out.path());
+  switch (format) {
     case MeshFormat::ply:
-      return write_ply(out, mesh, {}, {});
+      return write_labelled_ply(out, mesh, {}, {}, properties);
     case MeshFormat::obj:
-      return write_obj(out, mesh);
+      return write_obj(out, mesh, {format, properties});
     case MeshFormat::off:
-      return write_off(out, mesh);
+      return write_off(out, mesh, {format, properties});
     case MeshFormat::stl:
       return write_stl(out, mesh);
   }
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Properties& properties) {
   validate_contents(mesh);
+  validate(properties, mesh);
   FileWriter out(path);
-  write_mesh(out, mesh);
+  write_mesh(out, mesh, properties);
   out.commit();
-}
-
-void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
-                        std::span<const Label> triangle_label) {
-  write_ply(out, mesh, vertex_label, triangle_label);
 }
 
 }  // namespace geolloyd

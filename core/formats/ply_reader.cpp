@@ -1,124 +1,15 @@
 #include <utility>
 
 #include "core/formats/mesh_readers.h"
+#include "core/formats/ply_body.h"
 #include "core/formats/ply_header.h"
+#include "core/formats/ply_properties.h"
 
 namespace geolloyd {
 namespace {
 
-using Properties = std::span<const PlyProperty>;
-
-// The least number of bytes that a row of the element takes in a binary file.
-std::size_t least_row_size(const PlyElement& element) {
-  std::size_t size = 0;
-  for (const PlyProperty& property : element.properties) {
-    size += size_of(property.count_type ? PlyNumber(*property.count_type) : property.type);
-  }
-  return size;
-}
-
-// Properties that nobody wants, as what is to be stepped over: lists, each with the bytes before
-// it, and the bytes after the last.
-struct Gap {
-  struct List {
-    std::size_t bytes_before;
-    PlyInteger count_type;
-    std::size_t item_size;
-  };
-
-  explicit Gap(Properties properties) {
-    for (const PlyProperty& property : properties) {
-      const std::size_t size = size_of(property.type);
-      if (property.count_type) {
-        lists.push_back({std::exchange(bytes, 0), *property.count_type, size});
-      } else {
-        bytes += size;
-      }
-    }
-  }
-
-  std::vector<List> lists;
-  std::size_t bytes = 0;
-};
-
-// The body of a binary file. Every step is checked against its end.
-class BinaryBody {
- public:
-  BinaryBody(std::string_view file, std::size_t offset, std::string_view name, std::endian order)
-      : file_(file), name_(name), order_(order), offset_(offset) {}
-
-  [[nodiscard]] std::size_t offset() const { return offset_; }
-  [[nodiscard]] std::size_t remaining() const { return file_.size() - offset_; }
-  [[nodiscard]] std::endian order() const { return order_; }
-  void rewind(std::size_t offset) { offset_ = offset; }
-
-  // Nobody should take memory for a promise that the file does not keep.
-  void check_count(const PlyElement& element) const {
-    if (element.count <= remaining() / least_row_size(element)) return;
-    fail_at_byte(name_, offset_,
-                 std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
-                     " are promised, but the file ends after " + std::to_string(remaining()) +
-                     " more bytes");
-  }
-
-  // Passes over all rows of an element. visit(row) finds the body before the value of the wanted
-  // property, and has to read it.
-  template <class Visit>
-  void for_each_row(const PlyElement& element, std::size_t wanted, Visit visit) {
-    const Gap before(Properties(element.properties).first(wanted));
-    const Gap after(Properties(element.properties).subspan(wanted + 1));
-    for (std::size_t row = 0; row < element.count; ++row) {
-      row_offset_ = offset_;
-      skip(before);
-      visit(row);
-      skip(after);
-    }
-  }
-
-  void skip_rows(const PlyElement& element) {
-    const Gap all(element.properties);
-    for (std::size_t row = 0; row < element.count; ++row) {
-      row_offset_ = offset_;
-      skip(all);
-    }
-  }
-
-  template <class Number>
-  Number next() {
-    return load<Number>(take(sizeof(Number)), order_);
-  }
-
-  const char* take(std::size_t bytes) {
-    if (bytes > remaining()) fail("the file ends inside the row that begins here");
-    return file_.data() + std::exchange(offset_, offset_ + bytes);
-  }
-
-  // Names the byte where the current row begins.
-  [[noreturn]] void fail(const std::string& message) const {
-    fail_at_byte(name_, row_offset_, message);
-  }
-
- private:
-  void skip(const Gap& gap) {
-    for (const Gap::List& list : gap.lists) {
-      take(list.bytes_before);
-      const auto next_count = [&](auto zero) { return std::int64_t{next<decltype(zero)>()}; };
-      const std::int64_t count = std::visit(next_count, list.count_type);
-      if (count < 0) fail("a list has the negative length " + std::to_string(count));
-      take(static_cast<std::size_t>(count) * list.item_size);
-    }
-    take(gap.bytes);
-  }
-
-  std::string_view file_;
-  std::string_view name_;
-  std::endian order_;
-  std::size_t offset_;
-  std::size_t row_offset_ = 0;
-};
-
 // One pass per coordinate, so that their types need not agree.
-void read_vertices(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
+void read_vertices(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& vertex = header.elements[header.vertex];
   std::vector<Vec3>& positions = loaded.mesh.positions;
   positions.resize(vertex.count);
@@ -138,7 +29,7 @@ void read_vertices(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded
 }
 
 template <class Count, class Index>
-void read_faces(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
+void read_faces(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyElement& face = header.elements[header.face];
   const std::size_t vertex_count = header.elements[header.vertex].count;
   const std::size_t triangle_row_size = least_row_size(face) + 3 * sizeof(Index);
@@ -161,7 +52,7 @@ void read_faces(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   });
 }
 
-void read_faces(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
+void read_faces(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   const PlyProperty& list = header.elements[header.face].properties[header.corners];
   std::visit(
       [&](auto count, auto index) {
@@ -178,14 +69,17 @@ void check_ids(const Body& in, const PlyHeader& header, std::size_t element) {
   if (!ids_suffice(vertices, faces)) in.fail(too_many(vertices, faces));
 }
 
-void read_binary(BinaryBody& body, const PlyHeader& header, ParsedMesh& loaded) {
+void read_binary(PlyBody& body, const PlyHeader& header, PlyColumns& columns, ParsedMesh& loaded) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     body.check_count(header.elements[i]);
     check_ids(body, header, i);
+    const std::size_t start = body.offset();
     if (i == header.vertex) {
       read_vertices(body, header, loaded);
+      columns.of_vertices.read(body, start);
     } else if (i == header.face) {
       read_faces(body, header, loaded);
+      columns.of_faces.read(body, start);
     } else {
       body.skip_rows(header.elements[i]);
     }
@@ -215,36 +109,45 @@ void for_each_value(TextCursor& text, const PlyElement& element, Visit visit) {
   }
 }
 
-void read_ascii_vertices(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
+void read_ascii_vertices(TextCursor& text, const PlyHeader& header, PlyColumnGroup& columns,
+                         ParsedMesh& loaded) {
   const PlyElement& vertex = header.elements[header.vertex];
   const auto& coordinates = header.coordinates;
   loaded.mesh.positions.resize(vertex.count);
   for_each_value(text, vertex, [&](std::size_t row, std::size_t property) {
     const auto axis = std::find(coordinates.begin(), coordinates.end(), property);
-    if (axis == coordinates.end()) return skip_value(text, vertex.properties[property]);
+    if (axis == coordinates.end()) {
+      if (!columns.read(text, property)) skip_value(text, vertex.properties[property]);
+      return;
+    }
     loaded.mesh.positions[row][axis - coordinates.begin()] = parse_coordinate(text, text.word());
   });
 }
 
-void read_ascii_faces(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
+void read_ascii_faces(TextCursor& text, const PlyHeader& header, PlyColumnGroup& columns,
+                      ParsedMesh& loaded) {
   const PlyElement& face = header.elements[header.face];
   std::vector<VertexId> corners;
   for_each_value(text, face, [&](std::size_t, std::size_t property) {
-    if (property != header.corners) return skip_value(text, face.properties[property]);
-    read_polygon(text, header.elements[header.vertex].count, corners, loaded);
+    if (property == header.corners) {
+      read_polygon(text, header.elements[header.vertex].count, corners, loaded);
+    } else if (!columns.read(text, property)) {
+      skip_value(text, face.properties[property]);
+    }
   });
 }
 
-void read_ascii(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
+void read_ascii(TextCursor& text, const PlyHeader& header, PlyColumns& columns,
+                ParsedMesh& loaded) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     const PlyElement& element = header.elements[i];
     check_line_count(text, static_cast<std::int64_t>(element.count), element.properties.size(),
                      "rows of element " + in_quotes(element.name));
     check_ids(text, header, i);
     if (i == header.vertex) {
-      read_ascii_vertices(text, header, loaded);
+      read_ascii_vertices(text, header, columns.of_vertices, loaded);
     } else if (i == header.face) {
-      read_ascii_faces(text, header, loaded);
+      read_ascii_faces(text, header, columns.of_faces, loaded);
     } else {
       for_each_value(text, element, [&](std::size_t, std::size_t property) {
         skip_value(text, element.properties[property]);
@@ -255,20 +158,22 @@ void read_ascii(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
 
 }  // namespace
 
-ParsedMesh read_ply(std::string_view bytes, std::string_view name) {
+ParsedMesh read_ply(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   TextCursor text(bytes, name);
   const PlyHeader header = read_ply_header(text);
   ParsedMesh loaded;
+  PlyColumns columns(header, options);
   if (header.encoding == PlyEncoding::ascii) {
     loaded.format = "PLY, ascii";
-    read_ascii(text, header, loaded);
-    return loaded;
+    read_ascii(text, header, columns, loaded);
+  } else {
+    const bool is_little = header.encoding == PlyEncoding::little_endian;
+    loaded.format = is_little ? "PLY, binary little endian" : "PLY, binary big endian";
+    PlyBody body(bytes, bytes.size() - text.remaining(), name,
+                 is_little ? std::endian::little : std::endian::big);
+    read_binary(body, header, columns, loaded);
   }
-  const bool is_little = header.encoding == PlyEncoding::little_endian;
-  loaded.format = is_little ? "PLY, binary little endian" : "PLY, binary big endian";
-  BinaryBody body(bytes, bytes.size() - text.remaining(), name,
-                  is_little ? std::endian::little : std::endian::big);
-  read_binary(body, header, loaded);
+  loaded.properties = std::move(columns).take();
   return loaded;
 }
 

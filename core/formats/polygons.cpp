@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
+
+#include "core/mesh/properties.h"
 
 namespace geolloyd {
 namespace {
@@ -162,10 +165,51 @@ class FannedPolygon {
   Vec3 normal_ = Vec3::Zero();
 };
 
+// The face of each triangle, in order: fans come where polygons were.
+template <class Visit>
+void for_each_triangle(const std::vector<PolygonFan>& fans, std::size_t triangle_count,
+                       Visit&& visit) {
+  std::size_t face = 0;
+  std::size_t triangle = 0;
+  const auto visit_triangles_to = [&](std::size_t end) {
+    for (; triangle < end; ++triangle) visit(face++);
+  };
+  for (const PolygonFan& fan : fans) {
+    visit_triangles_to(fan.first);
+    for (; triangle < fan.first + fan.count; ++triangle) visit(face);
+    ++face;
+  }
+  visit_triangles_to(triangle_count);
+}
+
 }  // namespace
 
 void triangulate_concave(Mesh& mesh, const std::vector<PolygonFan>& fans) {
   for (const PolygonFan& fan : fans) FannedPolygon(mesh, fan).triangulate();
+}
+
+void spread_over_triangles(const std::vector<PolygonFan>& fans, std::size_t triangle_count,
+                           std::size_t most_bytes, Properties& properties) {
+  std::vector<Property>& columns = properties.of_triangles;
+  if (fans.empty() || columns.empty()) return;
+  if (columns.size() * sizeof(double) > most_bytes / triangle_count) {
+    properties.left_out.push_back(list_names(columns) +
+                                  " of faces: they would outgrow the file, as polygons of so many "
+                                  "corners become so many triangles");
+    columns.clear();
+    return;
+  }
+  for (Property& column : columns) {
+    std::visit(
+        [&](auto& of_face) {
+          std::remove_cvref_t<decltype(of_face)> of_triangle;
+          of_triangle.reserve(triangle_count);
+          for_each_triangle(fans, triangle_count,
+                            [&](std::size_t face) { of_triangle.push_back(of_face[face]); });
+          of_face = std::move(of_triangle);
+        },
+        column.values);
+  }
 }
 
 }  // namespace geolloyd

@@ -2,10 +2,12 @@
 
 // What the readers of mesh files share; not for users of the library.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "geolloyd/properties.h"
 
 namespace geolloyd {
 
@@ -20,5 +22,11 @@ struct PolygonFan {
 /// where all its triangles face the same way, as in every convex polygon, and where the polygon is
 /// not flat, crosses itself so that no ear is left, or has more than 1024 corners or too few ears.
 void triangulate_concave(Mesh& mesh, const std::vector<PolygonFan>& fans);
+
+/// Gives each triangle the values of its face: there was one per face before. Few polygons of very
+/// many corners could make much of little, so where that would take more than `most_bytes` the
+/// properties of the triangles are left out.
+void spread_over_triangles(const std::vector<PolygonFan>& fans, std::size_t triangle_count,
+                           std::size_t most_bytes, Properties& properties);
 
 }  // namespace geolloyd

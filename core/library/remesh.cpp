@@ -1,12 +1,16 @@
 #include "geolloyd/remesh.h"
 
+#include <string>
 #include <utility>
 
 #include "core/library/tessellated_graph.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/mesh/properties.h"
+#include "core/mesh/property_mixture.h"
 #include "core/remesh/remesh.h"
 #include "core/surface/surface_engine.h"
 #include "core/surface/surface_remesh.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 
@@ -45,6 +49,22 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
       mesh, edges, options,
       [&runtime](const FineMesh& fine) { return runtime.make_surface_engine(fine); },
       runtime.executor());
+}
+
+std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,
+                                const std::vector<SurfacePoint>& places, Runtime& runtime) {
+  validate_contents(mesh);
+  validate(Properties{of_vertices, {}, {}}, mesh);
+  std::vector<Mixture> mixtures;
+  mixtures.reserve(places.size());
+  for (const SurfacePoint& place : places) {
+    if (place.triangle != no_id && place.triangle >= mesh.triangle_count()) {
+      throw InvalidInput("place " + std::to_string(mixtures.size()) +
+                         ": the mesh has no triangle " + std::to_string(place.triangle));
+    }
+    mixtures.push_back(mixture_at(mesh, place));
+  }
+  return mix(of_vertices, mixtures, runtime.executor());
 }
 
 }  // namespace geolloyd

@@ -22,7 +22,8 @@ Bucketed<TriangleId> triangles_by_component(const Mesh& mesh) {
       });
 }
 
-void remove_sliver_components(Mesh& mesh, Repairs& repairs) {
+void remove_sliver_components(MeshUnderRepair& state, Repairs& repairs) {
+  const Mesh& mesh = state.mesh;
   const Bucketed<TriangleId> parts = triangles_by_component(mesh);
   std::vector<std::uint8_t> is_removed(mesh.triangle_count(), 0);
   std::size_t removed = 0;
@@ -36,7 +37,7 @@ void remove_sliver_components(Mesh& mesh, Repairs& repairs) {
     removed += triangles.size();
   }
   if (removed == 0 || removed == mesh.triangle_count()) return;
-  remove_triangles(mesh, is_removed);
+  remove_triangles(state, is_removed);
   repairs.slivers_removed += removed;
 }
 
@@ -73,7 +74,8 @@ class Twins {
   bool has_any_ = false;
 };
 
-void remove_twin_components(Mesh& mesh, Repairs& repairs) {
+void remove_twin_components(MeshUnderRepair& state, Repairs& repairs) {
+  const Mesh& mesh = state.mesh;
   const std::vector<VertexId> place = places_of(mesh);
   VertexId next = 0;
   if (std::all_of(place.begin(), place.end(), [&](VertexId p) { return p == next++; })) return;
@@ -101,14 +103,14 @@ void remove_twin_components(Mesh& mesh, Repairs& repairs) {
     }
     if (is_twin) repairs.duplicate_triangles += triangles.size();
   }
-  remove_triangles(mesh, is_removed);
+  remove_triangles(state, is_removed);
 }
 
 }  // namespace
 
-void remove_loose_components(Mesh& mesh, Repairs& repairs) {
-  remove_sliver_components(mesh, repairs);
-  remove_twin_components(mesh, repairs);
+void remove_loose_components(MeshUnderRepair& state, Repairs& repairs) {
+  remove_sliver_components(state, repairs);
+  remove_twin_components(state, repairs);
 }
 
 }  // namespace geolloyd

@@ -9,6 +9,6 @@ namespace geolloyd {
 /// whose triangles has its corners in the places of a triangle of another component that stays.
 /// Components with fewer triangles go first, later ones before earlier ones. The mesh is a
 /// manifold.
-void remove_loose_components(Mesh& mesh, Repairs& repairs);
+void remove_loose_components(MeshUnderRepair& state, Repairs& repairs);
 
 }  // namespace geolloyd

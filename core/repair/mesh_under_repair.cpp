@@ -42,12 +42,16 @@ std::vector<VertexId> components_of(const Mesh& mesh) {
   return component;
 }
 
-void remove_triangles(Mesh& mesh, const std::vector<std::uint8_t>& is_removed) {
+void remove_triangles(MeshUnderRepair& state, const std::vector<std::uint8_t>& is_removed) {
+  std::vector<Triangle>& triangles = state.mesh.triangles;
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (is_removed[t] == 0) mesh.triangles[kept++] = mesh.triangles[t];
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (is_removed[t] != 0) continue;
+    triangles[kept] = triangles[t];
+    state.triangle_origin[kept++] = state.triangle_origin[t];
   }
-  mesh.triangles.resize(kept);
+  triangles.resize(kept);
+  state.triangle_origin.resize(kept);
 }
 
 void rename_vertices(Mesh& mesh, const std::vector<VertexId>& name) {
@@ -63,11 +67,11 @@ void remove_unused_vertices(MeshUnderRepair& state) {
   for (VertexId v = 0; v < name.size(); ++v) {
     if (is_used[v] == 0) continue;
     state.mesh.positions[kept] = state.mesh.positions[v];
-    state.origin[kept] = state.origin[v];
+    state.vertex_origin[kept] = state.vertex_origin[v];
     name[v] = kept++;
   }
   state.mesh.positions.resize(kept);
-  state.origin.resize(kept);
+  state.vertex_origin.resize(kept);
   rename_vertices(state.mesh, name);
 }
 

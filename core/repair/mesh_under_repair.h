@@ -12,7 +12,8 @@ namespace geolloyd {
 /// A mesh between two steps of a repair. Vertices of no triangle may remain until the end.
 struct MeshUnderRepair {
   Mesh mesh;
-  std::vector<VertexId> origin;  ///< per vertex: that of the input
+  std::vector<VertexId> vertex_origin;      ///< per vertex: that of the input
+  std::vector<TriangleId> triangle_origin;  ///< per triangle: that of the input, or no_id
 };
 
 /// Below this share of its longest edge, the height of a triangle is none (flatness,
@@ -28,7 +29,7 @@ std::vector<VertexId> places_of(const Mesh& mesh);
 std::vector<VertexId> components_of(const Mesh& mesh);
 
 /// Leaves out triangles, and keeps the others in order.
-void remove_triangles(Mesh& mesh, const std::vector<std::uint8_t>& is_removed);
+void remove_triangles(MeshUnderRepair& state, const std::vector<std::uint8_t>& is_removed);
 
 /// Renames vertices in all triangles.
 void rename_vertices(Mesh& mesh, const std::vector<VertexId>& name);

@@ -24,17 +24,19 @@ class Repairer {
   Repairer(const Mesh& mesh, const RepairOptions& options, Executor& executor)
       : options_(options), executor_(executor) {
     state_.mesh = mesh;
-    state_.origin.resize(mesh.vertex_count());
-    std::iota(state_.origin.begin(), state_.origin.end(), VertexId{0});
+    state_.vertex_origin.resize(mesh.vertex_count());
+    std::iota(state_.vertex_origin.begin(), state_.vertex_origin.end(), VertexId{0});
+    state_.triangle_origin.resize(mesh.triangle_count());
+    std::iota(state_.triangle_origin.begin(), state_.triangle_origin.end(), TriangleId{0});
   }
 
   RepairedMesh run() {
     count_unused_vertices();
     remove_repeated_triangles();
     cut();
-    remove_loose_components(state_.mesh, repairs_);
+    remove_loose_components(state_, repairs_);
     stitch();
-    try_stage([&] { remove_slivers(state_.mesh, repairs_); });
+    try_stage([&] { remove_slivers(state_, repairs_); });
     orient(state_.mesh, repairs_);
     if (!try_stage([&] { fill(Touching::joined); })) try_stage([&] { fill(Touching::left); });
     count_cuts_and_merges();
@@ -43,7 +45,8 @@ class Repairer {
         std::count_if(triangles.begin(), triangles.end(),
                       [&](const Triangle& t) { return is_sliver(state_.mesh, t); }));
     remove_unused_vertices(state_);
-    return {std::move(state_.mesh), std::move(state_.origin), repairs_};
+    return {std::move(state_.mesh), std::move(state_.vertex_origin),
+            std::move(state_.triangle_origin), repairs_};
   }
 
  private:
@@ -54,7 +57,7 @@ class Repairer {
   }
 
   void remove_repeated_triangles() {
-    Mesh& mesh = state_.mesh;
+    const Mesh& mesh = state_.mesh;
     std::vector<std::uint8_t> is_removed(mesh.triangle_count(), 0);
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
       if (has_three_vertices(mesh.triangles[t])) continue;
@@ -65,26 +68,31 @@ class Repairer {
       is_removed[t] = 1;
       ++repairs_.duplicate_triangles;
     }
-    remove_triangles(mesh, is_removed);
+    remove_triangles(state_, is_removed);
   }
 
   void cut() {
-    for (const VertexId v : cut_apart(state_.mesh, executor_).copy_of) state_.origin.push_back(v);
-    origin_after_cut_ = state_.origin;
-    name_.resize(state_.origin.size());
+    for (const VertexId v : cut_apart(state_.mesh, executor_).copy_of)
+      state_.vertex_origin.push_back(v);
+    origin_after_cut_ = state_.vertex_origin;
+    name_.resize(state_.vertex_origin.size());
     std::iota(name_.begin(), name_.end(), VertexId{0});
   }
 
   // Follows a renaming of vertices.
   void rename(const std::vector<VertexId>& name) {
     for (VertexId v = 0; v < name.size(); ++v) {
-      state_.origin[name[v]] = std::min(state_.origin[name[v]], state_.origin[v]);
+      state_.vertex_origin[name[v]] =
+          std::min(state_.vertex_origin[name[v]], state_.vertex_origin[v]);
     }
     for (VertexId& v : name_) v = name[v];
   }
 
   void stitch() { rename(stitch_boundaries(state_.mesh)); }
-  void fill(Touching touching) { rename(fill_holes(state_.mesh, options_, touching, repairs_)); }
+  void fill(Touching touching) {
+    rename(fill_holes(state_.mesh, options_, touching, repairs_));
+    state_.triangle_origin.resize(state_.mesh.triangle_count(), no_id);
+  }
 
   // Does a stage, and takes it back where it left more of what is wrong than there was. Whether it
   // stays.

@@ -285,7 +285,8 @@ class SliverRemover {
 
 }  // namespace
 
-void remove_slivers(Mesh& mesh, Repairs& repairs) {
+void remove_slivers(MeshUnderRepair& state, Repairs& repairs) {
+  Mesh& mesh = state.mesh;
   std::vector<TriangleId> slivers;
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     if (is_sliver(mesh, mesh.triangles[t])) slivers.push_back(t);
@@ -297,7 +298,7 @@ void remove_slivers(Mesh& mesh, Repairs& repairs) {
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     is_removed[t] = mesh.triangles[t][0] == no_id ? 1 : 0;
   }
-  remove_triangles(mesh, is_removed);
+  remove_triangles(state, is_removed);
 }
 
 }  // namespace geolloyd

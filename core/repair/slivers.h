@@ -17,6 +17,6 @@ namespace geolloyd {
 ///
 /// Nothing is done that turns a triangle by 60 degrees and more, or at a vertex of more than 256
 /// triangles where all of them would have to be looked at. Near-linear.
-void remove_slivers(Mesh& mesh, Repairs& repairs);
+void remove_slivers(MeshUnderRepair& state, Repairs& repairs);
 
 }  // namespace geolloyd

@@ -6,6 +6,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/mesh/properties.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/temporary_folder.h"
 
@@ -59,11 +60,30 @@ void require_round_trip(const Mesh& mesh) {
   }
 }
 
+// They fit the mesh, take memory that the file's size warrants, and come back when they are
+// written.
+void require_sound(const LoadedMesh& loaded, std::size_t file_size) {
+  validate(loaded.properties, loaded.mesh);
+  require(bytes_of(loaded.properties) <= 80 * file_size,
+          "properties take a small multiple of the file's size");
+  static const TemporaryFolder folder;
+  if ((file_size + loaded.mesh.vertex_count()) % 8 != 1) return;
+  write_mesh(folder.path() / "mesh.ply", loaded.mesh, loaded.properties);
+  const Properties same = read_mesh(folder.path() / "mesh.ply", {true}).properties;
+  require(list_names(same.of_vertices) == list_names(loaded.properties.of_vertices) &&
+              list_names(same.of_triangles) == list_names(loaded.properties.of_triangles),
+          "properties are read as they were written");
+}
+
 }  // namespace
 
 int try_mesh_file(MeshFormat format, const std::uint8_t* data, std::size_t size) {
   const auto loaded =
       if_accepted([&] { return parse_mesh(format, text_of(data, size), input_name); });
+  const auto whole =
+      if_accepted([&] { return parse_mesh(format, text_of(data, size), input_name, {true}); });
+  require(!whole || loaded, "a file is no worse if nobody asks for properties");
+  if (whole) require_sound(*whole, size);
   if (!loaded) return 0;
   const Mesh& mesh = loaded->mesh;
   require_sound(mesh);

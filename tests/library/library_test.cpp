@@ -3,6 +3,7 @@
 #include <geolloyd/errors.h>
 #include <geolloyd/measure.h>
 #include <geolloyd/mesh.h>
+#include <geolloyd/properties.h>
 #include <geolloyd/remesh.h>
 #include <geolloyd/tessellate.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "core/shapes/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -303,6 +306,18 @@ TEST(Library, DirectionsOfAFieldMayHaveAnyLength) {
   const Tessellation expected = tessellate(mesh, options);
   for (TangentSpace& each : options.field) each.tangent *= 1000;
   EXPECT_EQ(tessellate(mesh, options).fingerprint, expected.fingerprint);
+}
+
+TEST(Library, PropertiesAreInterpolatedWhereTheyFit) {
+  const Mesh mesh = two_triangles();
+  const std::vector<Property> q = {{"q", std::vector<double>(mesh.vertex_count(), 3)}};
+  const std::vector<SurfacePoint> places = {{0, {0.5, 0.25, 0.25}}, {1, {1, 0, 0}}};
+  EXPECT_EQ(std::get<std::vector<double>>(values_at(mesh, q, places).at(0).values),
+            (std::vector<double>{3, 3}));
+  const std::vector<SurfacePoint> beyond = {{2, {1, 0, 0}}};
+  EXPECT_THROW((void)values_at(mesh, q, beyond), InvalidInput);
+  const std::vector<Property> too_few = {{"q", std::vector<double>{3}}};
+  EXPECT_THROW((void)values_at(mesh, too_few, places), InvalidInput);
 }
 
 TEST(Library, AMissingFileIsAnIoError) {

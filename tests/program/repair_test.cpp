@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/formats/mesh_io.h"
 #include "core/text/file_io.h"
@@ -150,6 +152,34 @@ TEST_F(Repairing, NeedsAnAreaToRemesh) {
       geolloyd_with("remesh " + line + " --repair --vertices 10 -o " + file("r.ply").string()),
       "no triangle with an area");
   EXPECT_EQ(geolloyd_with("repair " + line + " -o " + file("r.ply").string()).status, 0);
+}
+
+// Each vertex knows its x, each triangle the number of its row of ten.
+TEST_F(Repairing, KeepsProperties) {
+  const Mesh flawed = read_mesh(flawed_).mesh;
+  std::vector<double> x;
+  for (const Vec3& p : flawed.positions) x.push_back(p.x());
+  std::vector<std::int32_t> row;
+  for (std::size_t t = 0; t < flawed.triangle_count(); ++t) {
+    row.push_back(static_cast<std::int32_t>(t / 10));
+  }
+  write_mesh(flawed_, flawed, {{{"heat", x}}, {{"row", row}}, {}});
+  const std::string filling = " --fill-holes 3 -o " + file("r.ply").string();
+  expect_text(geolloyd_with("repair " + flawed_.string() + filling),
+              "carried     heat of vertices; row of triangles\n");
+  const LoadedMesh repaired = read_mesh(file("r.ply"), {true});
+  const auto& heat = std::get<std::vector<double>>(repaired.properties.of_vertices.at(0).values);
+  for (std::size_t v = 0; v < heat.size(); ++v) {
+    EXPECT_EQ(heat[v], repaired.mesh.positions[v].x());
+  }
+  const auto& rows =
+      std::get<std::vector<std::int32_t>>(repaired.properties.of_triangles.at(0).values);
+  ASSERT_EQ(rows.size(), whole_.triangle_count());
+  for (std::size_t t = 0; t + 1 < rows.size(); ++t) {  // the last one fills the hole
+    EXPECT_EQ(rows[t], row[t]);
+  }
+  const std::string options = " --repair --vertices 150 -o " + file("m.ply").string();
+  expect_text(geolloyd_with("remesh " + flawed_.string() + options), "heat of vertices");
 }
 
 }  // namespace

@@ -44,11 +44,21 @@ void expect_same(const Mesh& made, const Mesh& wanted) {
 void expect_sound(const RepairedMesh& made, const Mesh& input) {
   EXPECT_EQ(walk_topology(made.mesh).flaw, "");
   EXPECT_TRUE(topology_of(made.mesh).is_manifold());
-  ASSERT_EQ(made.origin.size(), made.mesh.vertex_count());
-  for (std::size_t v = 0; v < made.origin.size(); ++v) {
-    ASSERT_LT(made.origin[v], input.vertex_count());
-    EXPECT_EQ(made.mesh.positions[v], input.positions[made.origin[v]]);
+  ASSERT_EQ(made.vertex_origin.size(), made.mesh.vertex_count());
+  for (std::size_t v = 0; v < made.vertex_origin.size(); ++v) {
+    ASSERT_LT(made.vertex_origin[v], input.vertex_count());
+    EXPECT_EQ(made.mesh.positions[v], input.positions[made.vertex_origin[v]]);
   }
+  ASSERT_EQ(made.triangle_origin.size(), made.mesh.triangle_count());
+  std::size_t added = 0;
+  for (std::size_t t = 0; t < made.triangle_origin.size(); ++t) {
+    const TriangleId origin = made.triangle_origin[t];
+    added += origin == no_id ? 1 : 0;
+    if (origin == no_id) continue;
+    ASSERT_LT(origin, input.triangle_count());
+    EXPECT_TRUE(t == 0 || made.triangle_origin[t - 1] < origin);
+  }
+  EXPECT_EQ(added, made.repairs.triangles_added);
   const std::vector<std::uint8_t> used = referenced_vertices(made.mesh);
   EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
 }
@@ -153,7 +163,7 @@ TEST(Repair, CutsABowTie) {
   EXPECT_EQ(made.repairs.vertices_cut, 1U);
   EXPECT_EQ(made.repairs.vertices_merged, 0U);
   EXPECT_EQ(made.mesh.vertex_count(), 6U);
-  EXPECT_EQ(made.origin, (std::vector<VertexId>{0, 1, 2, 3, 4, 0}));
+  EXPECT_EQ(made.vertex_origin, (std::vector<VertexId>{0, 1, 2, 3, 4, 0}));
 }
 
 TEST(Repair, CutsABook) {

@@ -136,6 +136,12 @@ void add_picture_options(CLI::App& command, PictureArguments& picture) {
       ->group(group);
 }
 
+void add_drop_option(CLI::App& command, bool& carries_properties) {
+  command.add_flag("!--drop", carries_properties,
+                   "Leave out colours, normals, texture coordinates, labels and all\n"
+                   "other properties of the mesh, instead of carrying them over");
+}
+
 void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
   const char* group = "Remesh";
   command

@@ -35,6 +35,7 @@ struct StartArguments {
   RepairArguments repair;
   SeedArguments seeds;
   GraphArguments graph;
+  bool has_properties = false;  ///< those of the mesh are read, too
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> files() const {
@@ -100,6 +101,8 @@ void add_frontier_option(CLI::App& command, EngineArguments& engine);
 void add_thread_options(CLI::App& command, ThreadArguments& threads);
 void add_remesh_options(CLI::App& command, RemeshArguments& remesh);
 void add_picture_options(CLI::App& command, PictureArguments& picture);
+/// --drop: then `carries_properties` becomes false.
+void add_drop_option(CLI::App& command, bool& carries_properties);
 
 /// Throws InvalidInput where options contradict each other.
 void check_seeds(const SeedArguments& seeds);

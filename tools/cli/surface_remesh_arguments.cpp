@@ -136,6 +136,12 @@ void add_feature_options(CLI::App& command, FeatureArguments& features) {
       ->type_name("FILE")
       ->group(feature_group);
   command
+      .add_option("--feature-labels", features.labels,
+                  "Property of triangles or of vertices, such as region: borders\n"
+                  "between its values are kept")
+      ->type_name("NAME")
+      ->group(feature_group);
+  command
       .add_option("--fixed", features.fixed_file,
                   "File of vertices to keep where they are: one vertex of the input\n"
                   "per line, counted from 0")

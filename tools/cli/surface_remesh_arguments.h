@@ -35,6 +35,7 @@ struct FeatureArguments {
   double crease_angle = 0;           ///< degrees
   std::filesystem::path edges_file;  ///< empty: none
   std::filesystem::path fixed_file;  ///< empty: none
+  std::string labels;                ///< a property, borders between whose values are kept; or ""
 };
 
 /// All of `remesh`.
@@ -45,6 +46,7 @@ struct SurfaceRemeshArguments {
   SizingArguments sizing;
   FeatureArguments features;
   bool no_fit = false;
+  bool carries_properties = true;
   EngineKind engine = EngineKind::parallel;
   ThreadArguments threads;
   PictureArguments picture;
@@ -73,7 +75,7 @@ void add_sizing_options(CLI::App& command, SizingArguments& sizing);
 /// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.
 void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing);
 
-/// --features, --feature-edges and --fixed.
+/// --features, --feature-edges, --feature-labels and --fixed.
 void add_feature_options(CLI::App& command, FeatureArguments& features);
 /// As --features has it.
 std::string name_of_creases(const FeatureArguments& features);

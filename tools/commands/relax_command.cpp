@@ -16,6 +16,7 @@
 #include "tools/report/remesh_output.h"
 #include "tools/report/report.h"
 #include "tools/report/report_parts.h"
+#include "tools/run/carrying.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
 #include "tools/run/stages.h"
@@ -109,7 +110,7 @@ void print_summary(const RelaxArguments& arguments, const Start& start, const Re
   print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
   if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
   print_regions(result);
-  fmt::print("{}", describe(result.remesh));
+  fmt::print("{}{}", describe(result.remesh), describe(result.remesh_properties));
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
   print_cost(start.seconds, result, cost);
   print_files(arguments, result.relaxation.steps.size());
@@ -176,6 +177,8 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
   result.remesh = make_remesh(
       {mesh, start.mesh_graph, relaxation.seeds, relaxation.partition, *ended.engine, scheduler},
       {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
+  result.remesh_properties = carry_properties(mesh, start.input.loaded.properties, start.mesh_graph,
+                                              result.remesh, scheduler);
   cost.remesh_seconds = watch.seconds();
   return result;
 }
@@ -232,6 +235,7 @@ void add_relax_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "relax", "Tessellate a mesh and remesh it: seeds move to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
+  arguments->start.has_properties = true;
   add_mesh_argument(*command, arguments->start);
   folder_name(
       command->add_option("-o,--output", arguments->output,
@@ -256,6 +260,7 @@ void add_relax_command(CLI::App& program) {
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_remesh_options(*command, arguments->remesh);
+  add_drop_option(*command, arguments->start.has_properties);
   add_engine_option(*command, arguments->engine.kind);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);

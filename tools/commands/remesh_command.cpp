@@ -10,6 +10,7 @@
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/report/surface_remesh_output.h"
+#include "tools/run/carrying.h"
 #include "tools/run/stages.h"
 #include "tools/run/surface_remesh.h"
 #include "tools/run/tolerance_search.h"
@@ -100,11 +101,21 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const LoadedInput loaded = load_surface(arguments.mesh, arguments.repair, scheduler, progress);
+  const LoadedInput loaded = load_surface(
+      arguments.mesh, scheduler, progress,
+      {arguments.carries_properties || !arguments.features.labels.empty()}, arguments.repair);
   SurfaceRemeshResult result;
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
   Remesher(arguments, loaded, scheduler, progress).run(result);
   const SurfaceRemesh& remesh = result.made.remesh;
+
+  progress.stage("carrying properties over");
+  const Properties none;
+  result.properties = carry_properties(
+      loaded.input.mesh(), arguments.carries_properties ? loaded.input.loaded.properties : none,
+      remesh, scheduler);
+  const SurfaceColours colours = colours_of(result.properties);
+  keep_writable(arguments.output, result.properties);
 
   progress.stage("measuring the remesh");
   const Stopwatch judging;
@@ -114,14 +125,14 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
   progress.stage("writing " + arguments.output.string());
   const Stopwatch writing;
   FileGroup files = open_remesh_files(arguments);
-  write_remesh(arguments, remesh, files);
+  write_remesh(arguments, result, files);
   result.write_seconds = writing.seconds();
   result.total_seconds = total.seconds();
   result.peak_memory_bytes = peak_memory_bytes();
   write_remesh_report(arguments, loaded, result, files);
   if (!arguments.picture_file.empty()) {  // whatever happens to it, the results are there
     progress.stage("drawing " + arguments.picture_file.string());
-    write_remesh_picture(arguments, remesh.mesh, scheduler);
+    write_remesh_picture(arguments, remesh.mesh, colours, scheduler);
   }
   progress.clear();
   fmt::print("{}", describe(arguments, loaded, result));
@@ -153,6 +164,7 @@ void add_remesh_command(CLI::App& program) {
   command->add_flag("--no-fit", a->no_fit,
                     "Leave vertices on the surface of the input, instead of moving them\n"
                     "off it where that brings the triangles closer");
+  add_drop_option(*command, a->carries_properties);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   add_picture_options(*command, a->picture);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/formats/tangent_field_file.h"
+#include "core/mesh/properties.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
@@ -28,11 +29,18 @@ struct RenderArguments {
   PictureArguments picture;
   std::filesystem::path output;
   std::vector<std::string> panels;
+  bool has_own_colours = true;
 };
 
 bool have_captions(const std::vector<Panel>& panels) {
   return std::any_of(panels.begin(), panels.end(),
                      [&](const Panel& panel) { return !caption_of(panel, panels.size()).empty(); });
+}
+
+bool shows_colours(const std::vector<Panel>& panels) {
+  return std::any_of(panels.begin(), panels.end(), [](const Panel& panel) {
+    return panel.kind == PanelKind::surface || panel.kind == PanelKind::mesh;
+  });
 }
 
 class Renderer {
@@ -47,6 +55,8 @@ class Renderer {
     } else {
       read_mesh_alone();
     }
+    own_colours_ = colours_of(start_.input.loaded.properties);
+    start_.input.loaded.properties = {};
     progress_.stage("drawing " + arguments_.output.string());
     const Picture picture(start_.input.mesh(), look.view, look.size, panels_.size(),
                           have_captions(panels_), scheduler_);
@@ -66,12 +76,14 @@ class Renderer {
 
   void read_mesh_alone() {
     progress_.stage("reading " + arguments_.start.mesh.string());
-    start_.input = load_input(arguments_.start.mesh, scheduler_).input;
+    start_.input =
+        load_input(arguments_.start.mesh, scheduler_, {arguments_.start.has_properties}).input;
     const Mesh& mesh = start_.input.mesh();
     const PictureArguments& look = arguments_.picture;
     announce_memory(arguments_.start.mesh.string(),
                     memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                   count_samples(mesh, look.view, look.size, scheduler_)));
+                                   count_samples(mesh, look.view, look.size, scheduler_),
+                                   bytes_of(start_.input.loaded.properties)));
   }
 
   void find_partition() {
@@ -100,9 +112,9 @@ class Renderer {
     const PartitionView view{start_.mesh_graph, found_.partition, start_.seeds, colours_};
     switch (kind) {
       case PanelKind::surface:
-        return paint_surface(scene, scheduler_);
+        return paint_surface(scene, scheduler_, own_colours_);
       case PanelKind::mesh:
-        return paint_mesh(scene, scheduler_);
+        return paint_mesh(scene, scheduler_, own_colours_);
       case PanelKind::regions:
         return paint_regions(view, scene, scheduler_);
       case PanelKind::trees:
@@ -128,7 +140,8 @@ class Renderer {
   ProgressLine progress_;
   Start start_;  // the input alone where no panel needs more
   EnginePartition found_;
-  std::vector<Colour> colours_;
+  std::vector<Colour> colours_;  // of regions
+  SurfaceColours own_colours_;
 };
 
 // What can be found wrong without the mesh is, before the work.
@@ -168,6 +181,8 @@ void add_render_command(CLI::App& program) {
                    "below a panel")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  command->add_flag("!--drop", a->has_own_colours,
+                    "Draw surface and mesh without the mesh's own colours");
   add_picture_options(*command, a->picture);
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
@@ -179,6 +194,7 @@ void add_render_command(CLI::App& program) {
       "transparent; with captions it is white.");
   command->callback([a] {
     const std::vector<Panel> panels = check(*a);
+    a->start.has_properties = a->has_own_colours && shows_colours(panels);
     Renderer(*a, panels).render();
   });
 }

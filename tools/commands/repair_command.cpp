@@ -59,7 +59,8 @@ void check_targets(const RepairCommandArguments& arguments) {
 
 void write_origins(const RepairedMesh& repaired, FileWriter& out) {
   out.text("vertex,input_vertex\n");
-  for (std::size_t v = 0; v < repaired.origin.size(); ++v) write_row(out, v, repaired.origin[v]);
+  for (std::size_t v = 0; v < repaired.vertex_origin.size(); ++v)
+    write_row(out, v, repaired.vertex_origin[v]);
 }
 
 void run_repair(const RepairCommandArguments& arguments) {
@@ -68,7 +69,7 @@ void run_repair(const RepairCommandArguments& arguments) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
   progress.stage("reading " + arguments.mesh.string());
-  const Input given = load_input(arguments.mesh, scheduler).input;
+  const Input given = load_input(arguments.mesh, scheduler, {true}).input;
   const auto bytes = memory_to_repair(given.facts.vertices, given.facts.triangles);
   announce_memory(arguments.mesh.string(), bytes);
   progress.stage("repairing");
@@ -83,7 +84,10 @@ void run_repair(const RepairCommandArguments& arguments) {
   progress.stage("writing " + arguments.output.string());
   const std::vector<std::filesystem::path> names = arguments.outputs();
   FileGroup files(names);
-  write_mesh(files[0], repaired.mesh);
+  Properties carried = follow_origins(given.loaded.properties, repaired.mesh,
+                                      repaired.vertex_origin, repaired.triangle_origin);
+  keep_writable(arguments.output, carried);
+  write_mesh(files[0], repaired.mesh, carried);
   if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
   if (!arguments.report_file.empty()) {
     Json report = {{"command", "repair"},
@@ -92,6 +96,7 @@ void run_repair(const RepairCommandArguments& arguments) {
                    {"input", mesh_part(given)},
                    {"options", {{"fill_holes", name_of_hole_size(arguments.repair.options)}}},
                    {"repairs", repairs_part(repaired.repairs)},
+                   {"properties", properties_part(carried)},
                    {"vertices", facts.vertices},
                    {"triangles", facts.triangles},
                    {"area", facts.area},
@@ -103,7 +108,8 @@ void run_repair(const RepairCommandArguments& arguments) {
   files.commit();
   progress.clear();
   fmt::print("{}\n{}{}", given.file.string(),
-             describe(given.loaded, given.facts, HandledBy::repair), describe(repaired.repairs));
+             describe(given.loaded, given.facts, HandledBy::repair),
+             describe(repaired.repairs) + describe(carried));
   fmt::print("  {:<12}{}, {}, {}, Euler characteristic {}, {}, area {:.6g}\n", "result",
              counted(facts.vertices, "vertex", "vertices"),
              counted(facts.triangles, "triangle", "triangles"),

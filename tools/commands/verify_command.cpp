@@ -106,7 +106,8 @@ void verify_relaxation(const VerifyArguments& a) {
 void verify_remesh(const VerifyArguments& a) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
-  const LoadedInput loaded = load_surface(a.start.mesh, {}, scheduler, progress);
+  const LoadedInput loaded =
+      load_surface(a.start.mesh, scheduler, progress, {!a.features.labels.empty()});
   SurfaceRemeshOptions options;
   options.vertex_count = a.vertices;
   options.sizing = read_sizing(a.sizing, loaded);

@@ -205,13 +205,14 @@ double largest_magnitude(std::span<const TangentSpace> vertex_space) {
 
 }  // namespace
 
-Canvas paint_surface(const Scene& scene, Executor& executor) {
-  return paint(scene, executor, [](std::size_t /*sample*/) { return clay; });
+Canvas paint_surface(const Scene& scene, Executor& executor, const SurfaceColours& colours) {
+  return paint(scene, executor,
+               [&](std::size_t sample) { return colours.at(scene, sample, clay); });
 }
 
-Canvas paint_mesh(const Scene& scene, Executor& executor) {
+Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours) {
   return paint(scene, executor, [&](std::size_t sample) {
-    return blend(clay, black, 0.85 * edge_coverage(scene, sample));
+    return blend(colours.at(scene, sample, clay), black, 0.85 * edge_coverage(scene, sample));
   });
 }
 

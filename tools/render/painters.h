@@ -7,6 +7,7 @@
 #include "core/mesh/tangent_field.h"
 #include "core/voronoi/partition.h"
 #include "tools/render/canvas.h"
+#include "tools/render/surface_colours.h"
 
 namespace geolloyd {
 
@@ -21,10 +22,11 @@ struct PartitionView {
   std::span<const Colour> region_colour;
 };
 
-Canvas paint_surface(const Scene& scene, Executor& executor);
+/// The surface in its own colours, if it has any.
+Canvas paint_surface(const Scene& scene, Executor& executor, const SurfaceColours& colours = {});
 
 /// The surface and the edges of the scene's mesh.
-Canvas paint_mesh(const Scene& scene, Executor& executor);
+Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours = {});
 
 /// Regions, borders between them, seeds as dots.
 Canvas paint_regions(const PartitionView& view, const Scene& scene, Executor& executor);

@@ -86,10 +86,10 @@ void write_results(const Start& start, const Result& result, FileGroup& files,
       scheduler,
       [&] {
         write_labelled_ply(files[tessellation_file], start.input.mesh(), labels.first(vertices),
-                           labels.subspan(vertices));
+                           labels.subspan(vertices), start.input.loaded.properties);
       },
       [&] { write_regions_csv(mesh_graph, partition, files[regions_file]); },
-      [&] { write_mesh(files[remesh_file], result.remesh.mesh); },
+      [&] { write_mesh(files[remesh_file], result.remesh.mesh, result.remesh_properties); },
       [&] { write_seeds_csv(mesh_graph, result.regions, files[seeds_file]); });
 }
 

@@ -51,6 +51,7 @@ Json options_part(const RelaxArguments& a, const Result& result) {
   part.update(options_part(a.start, a.relaxation, result.regions.size()));
   part["repair"] = a.start.repair.is_wanted;
   part["fill_holes"] = fill_holes_part(a.start.repair);
+  part["drop"] = !a.start.has_properties;
   part["manifold"] = a.remesh.manifold;
   part["remesh_vertices"] = name_of(remesh_vertices_names, a.remesh.vertices);
   return part;
@@ -99,6 +100,7 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["isoperimetric_ratio"] = {{"mean", result.remesh.roundness.mean},
                                    {"min", result.remesh.roundness.min}};
   report["remesh"] = remesh_part(result.remesh);
+  report["properties"] = properties_part(result.remesh_properties);
   if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
   report["seconds"] = seconds_part(start.seconds, cost);

@@ -109,6 +109,17 @@ Json topology_part(const MeshTopology& topology) {
           {"inconsistent_edges", topology.inconsistent_edges}};
 }
 
+Json properties_part(const Properties& carried) {
+  const auto names = [](const std::vector<Property>& properties) {
+    Json part = Json::array();
+    for (const Property& property : properties) part.push_back(property.name);
+    return part;
+  };
+  return {{"vertices", names(carried.of_vertices)},
+          {"triangles", names(carried.of_triangles)},
+          {"left_out", carried.left_out}};
+}
+
 Json kernel_seconds_part(const KernelSeconds& seconds) {
   Json part;
   for (const auto& [name, kernel] : kernel_names) part[name] = seconds.*kernel;

@@ -27,6 +27,8 @@ Json repairs_part(const std::optional<Repairs>& repairs);
 Json fill_holes_part(const RepairArguments& repair);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
+/// The names of what was carried over, and what was left out.
+Json properties_part(const Properties& carried);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// The options in force, but for the engine's: of --greedy auto, the mode chosen.
 Json options_part(const StartArguments& start, const RelaxationArguments& relaxation,

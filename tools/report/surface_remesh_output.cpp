@@ -195,8 +195,10 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"fill_holes", fill_holes_part(a.repair)},
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
+          {"feature_labels", a.features.labels},
           {"fixed", a.features.fixed_file.string()},
           {"fit", !a.no_fit},
+          {"drop", !a.carries_properties},
           {"engine", name_of(engine_names, a.engine)},
           {"threads", threads},
           {"backend", backend_part(a.engine, a.threads.backend)}};
@@ -284,6 +286,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["energy"] = remesh.energy;
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
   report["remesh"] = remesh_part(remesh);
+  report["properties"] = properties_part(result.properties);
   report["quality"] = quality_part(result.figures.quality);
   report["edge_length_ratios"] = ratios_part(result.figures);
   report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
@@ -313,9 +316,10 @@ FileGroup open_remesh_files(const SurfaceRemeshArguments& arguments) {
   return FileGroup(files_of(arguments));
 }
 
-void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemesh& remesh,
+void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemeshResult& result,
                   FileGroup& files) {
-  write_mesh(files[0], remesh.mesh);
+  const SurfaceRemesh& remesh = result.made.remesh;
+  write_mesh(files[0], remesh.mesh, result.properties);
   if (!arguments.map_file.empty()) write_map(remesh, files[1]);
 }
 
@@ -328,10 +332,10 @@ void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedIn
 }
 
 void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,
-                          Scheduler& scheduler) {
+                          const SurfaceColours& colours, Scheduler& scheduler) {
   const PictureArguments& look = arguments.picture;
   const Picture picture(remesh, look.view, look.size, 1, false, scheduler);
-  const Canvas canvas = paint_mesh(picture.scene(), scheduler);
+  const Canvas canvas = paint_mesh(picture.scene(), scheduler, colours);
   const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
   picture.write(arguments.picture_file, panels);
 }
@@ -344,7 +348,8 @@ std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput&
                      describe(input.loaded, input.facts, HandledBy::surface)) +
          (input.repairs ? describe(*input.repairs) : "") +
          describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
-         describe(remesh) + describe(result.figures, input.facts.bounding_diagonal) +
+         describe(remesh) + describe(result.properties) +
+         describe(result.figures, input.facts.bounding_diagonal) +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
          describe_cost(loaded, result) + describe_files(arguments);
 }

@@ -7,6 +7,7 @@
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/files/file_group.h"
+#include "tools/render/surface_colours.h"
 #include "tools/run/surface_remesh.h"
 #include "tools/run/tolerance_search.h"
 
@@ -17,6 +18,7 @@ struct SurfaceRemeshResult {
   TimedRemesh made;
   std::vector<ToleranceTrial> trials;  ///< none without a tolerance
   RemeshFigures figures;
+  Properties properties;  ///< of the remesh, as its file has them
   std::size_t threads = 0;
   std::uint64_t memory_estimate = 0;  ///< bytes
   double judge_seconds = 0;
@@ -33,7 +35,7 @@ void check_remesh_targets(const SurfaceRemeshArguments& arguments);
 FileGroup open_remesh_files(const SurfaceRemeshArguments& arguments);
 /// All but the report. The map has a line per vertex: vertex, triangle of the input, and the
 /// weights of its three corners; -1 and no weights where a vertex has no triangle.
-void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemesh& remesh,
+void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemeshResult& result,
                   FileGroup& files);
 /// The report, if it is asked for, with which all files appear.
 void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
@@ -41,7 +43,7 @@ void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedIn
 
 /// The remesh with its edges.
 void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,
-                          Scheduler& scheduler);
+                          const SurfaceColours& colours, Scheduler& scheduler);
 
 /// For people.
 std::string describe(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,

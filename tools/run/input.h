@@ -31,11 +31,12 @@ struct LoadedInput {
 };
 
 /// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
-/// the size of the file, then for what comes next in every command, finding its edges.
-LoadedMesh read_within_limits(const std::filesystem::path& file);
+/// the size of the file, then for what comes next in every command, finding its edges. Where only
+/// properties are malformed, the message says how to do without.
+LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
 LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
-                       const RepairArguments& repair = {});
+                       const ReadOptions& options = {}, const RepairArguments& repair = {});
 
 }  // namespace geolloyd

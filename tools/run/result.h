@@ -19,6 +19,7 @@ struct Result {
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
   GraphRemesh remesh;
+  Properties remesh_properties;
   std::vector<RegionSummary> regions;
   bool interrupted = false;  ///< before the results were written: they may be less than otherwise
 };

@@ -9,6 +9,7 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/mesh/properties.h"
 #include "core/seeds/seed_file.h"
 #include "core/seeds/seeds.h"
 #include "core/text/file_io.h"
@@ -40,6 +41,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.has_field = !arguments.vfield.empty();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
+  size.property_bytes = bytes_of(loaded.input.loaded.properties);
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
   }
@@ -87,7 +89,8 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
   std::string seeds_text;
   progress.stage("reading " + arguments.mesh.string());
   {
-    LoadedInput loaded = load_input(arguments.mesh, scheduler, arguments.repair);
+    LoadedInput loaded =
+        load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
     const SeedArguments& seeds = arguments.seeds;
     if (!seeds.file.empty()) seeds_text = read_file(seeds.file);
     progress.stage("building the " + name_of(graph_kind_names, arguments.graph.kind) + " graph");

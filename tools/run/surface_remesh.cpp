@@ -11,6 +11,7 @@
 #include "core/formats/vertex_list.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/mesh/properties.h"
 #include "core/surface/creases.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/sizing.h"
@@ -20,6 +21,7 @@
 #include "parallel/surface/parallel_surface_engine.h"
 #include "tools/evaluation/surface_distance.h"
 #include "tools/render/picture.h"
+#include "tools/run/carrying.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -114,10 +116,11 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler) {
       [&scheduler](const FineMesh& mesh) { return make_parallel_surface_engine(mesh, scheduler); };
 }
 
-LoadedInput load_surface(const std::filesystem::path& file, const RepairArguments& repair,
-                         Scheduler& scheduler, ProgressLine& progress) {
+LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
+                         ProgressLine& progress, const ReadOptions& options,
+                         const RepairArguments& repair) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, scheduler, repair);
+  LoadedInput loaded = load_input(file, scheduler, options, repair);
   if (!(loaded.input.facts.area > 0)) {
     throw InvalidInput(file.string() + ": no triangle with an area, so nothing to remesh");
   }
@@ -136,6 +139,9 @@ FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInpu
   if (!arguments.fixed_file.empty()) {
     features.fixed_vertices =
         parse_vertex_list(read_file(arguments.fixed_file), arguments.fixed_file.string(), mesh);
+  }
+  if (!arguments.labels.empty()) {
+    features.groups = label_groups(mesh, loaded.input.loaded.properties, arguments.labels);
   }
   return features;
 }
@@ -185,6 +191,7 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   size.fine_vertices = estimate_fine_vertices(loaded, vertices, options, scheduler);
   size.remesh_vertices = vertices;
   size.threads = scheduler.threads();
+  size.property_bytes = bytes_of(loaded.input.loaded.properties);
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
   const std::uint64_t bytes = memory_to_remesh(size);
   announce_memory(loaded.input.file.string(), bytes);

@@ -21,10 +21,12 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 
 /// Reads the mesh, repairs it if that is wanted, and finds its edges. Throws InvalidInput where it
 /// has no area.
-LoadedInput load_surface(const std::filesystem::path& file, const RepairArguments& repair,
-                         Scheduler& scheduler, ProgressLine& progress);
+LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
+                         ProgressLine& progress, const ReadOptions& options = {},
+                         const RepairArguments& repair = {});
 
-/// Read the files that are named. Throw InvalidInput where one does not fit the mesh.
+/// Read the files that are named, and find the labels. Throw InvalidInput where one does not fit
+/// the mesh.
 SizingOptions read_sizing(const SizingArguments& arguments, const LoadedInput& loaded);
 FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInput& loaded);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/mesh/properties.h"
+
 namespace geolloyd {
 namespace {
 
@@ -93,6 +95,22 @@ std::string describe(const Repairs& repairs) {
         "components that cannot be oriented, like a Moebius strip");
   leave(repairs.holes_left, "small hole, whose filling would fold or touch the surface",
         "small holes, whose filling would fold or touch the surface");
+  return text;
+}
+
+std::string describe(const Properties& carried) {
+  std::string names;
+  const auto add = [&](const std::vector<Property>& properties, const char* of) {
+    if (properties.empty()) return;
+    names += fmt::format("{}{} of {}", names.empty() ? "" : "; ", list_names(properties), of);
+  };
+  add(carried.of_vertices, "vertices");
+  add(carried.of_triangles, "triangles");
+  std::string text;
+  if (!names.empty()) text += fmt::format("  {:<12}{}\n", "carried", names);
+  for (const std::string& line : carried.left_out) {
+    text += fmt::format("  {:<12}{}\n", "left out", line);
+  }
   return text;
 }
 

@@ -19,6 +19,8 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts,
 
 /// What a repair did, a line for each kind.
 std::string describe(const Repairs& repairs);
+/// What was carried over from a mesh, and what was left out; nothing where there is neither.
+std::string describe(const Properties& carried);
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);

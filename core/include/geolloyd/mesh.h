@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geolloyd/properties.h"
 #include "geolloyd/types.h"
 
 namespace geolloyd {
@@ -35,6 +36,11 @@ struct LoadedMesh {
   std::string format;              ///< for people: "PLY, binary little endian"
   std::size_t polygon_count = 0;   ///< faces of four and more corners, split into triangles
   std::size_t welded_corners = 0;  ///< STL only: corners that fell on an earlier one
+  Properties properties;           ///< if they were asked for
+};
+
+struct ReadOptions {
+  bool properties = false;  ///< read them, too: they may take more memory than the mesh
 };
 
 /// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive).
@@ -44,11 +50,20 @@ struct LoadedMesh {
 /// where the file cannot be read, InvalidInput where it cannot be used (syntax, non-finite or
 /// over-large coordinate, index out of range, no triangles), naming file and line or byte offset.
 /// Never takes memory that the size of the file does not warrant.
-LoadedMesh read_mesh(const std::filesystem::path& path);
+///
+/// Properties are the numbers of a PLY file's vertices and faces, OBJ's colours, texture
+/// coordinates and normals where a vertex has the same in all faces, and its groups and materials
+/// (numbered in order of appearance), and COFF's colours and normals. A malformed property is
+/// refused in the same way if properties are asked for; else nobody looks at it.
+LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. The file
 /// appears whole or not at all. No coordinate loses a digit, except in STL, which knows float32
-/// only. Throws IoError where the file cannot be written, InvalidInput where the mesh is not valid.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+/// only. PLY holds all properties, with their bits, OBJ and OFF colours, normals and texture
+/// coordinates of vertices, OFF also colours of triangles, STL none; the others are left out.
+/// Throws IoError where the file cannot be written, InvalidInput where the mesh is not valid, or
+/// where properties do not fit it.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
+                const Properties& properties = {});
 
 }  // namespace geolloyd

@@ -148,4 +148,12 @@ struct SurfaceRemesh {
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options,
                              Runtime& runtime = reference_runtime());
 
+/// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
+/// vertices. Numbers are interpolated, so a linear function stays one; parts of colours are then
+/// rounded, and normals get length 1. Labels go by majority of weights, the smaller one of equals.
+/// Throws InvalidInput where properties or places do not fit the mesh.
+std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,
+                                const std::vector<SurfacePoint>& places,
+                                Runtime& runtime = reference_runtime());
+
 }  // namespace geolloyd

@@ -36,7 +36,10 @@ struct Repairs {
 
 struct RepairedMesh {
   Mesh mesh;
-  std::vector<VertexId> origin;  ///< per vertex: that of the input; of several merged, the smallest
+  std::vector<VertexId> vertex_origin;  ///< per vertex: that of the input; of several merged, the
+                                        ///< smallest
+  std::vector<TriangleId> triangle_origin;  ///< per triangle: that of the input, or no_id where it
+                                            ///< fills a hole
   Repairs repairs;
 };
 

@@ -19,6 +19,7 @@
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
 #include "geolloyd/measure.h"     // quality and topology of a mesh
 #include "geolloyd/mesh.h"        // Mesh, read_mesh, write_mesh
+#include "geolloyd/properties.h"  // Properties: colours, normals, labels
 #include "geolloyd/remesh.h"      // remesh
 #include "geolloyd/runtime.h"     // Runtime: who computes
 #include "geolloyd/tessellate.h"  // tessellate, voronoi
