@@ -12,7 +12,7 @@ awk '
 function table() {
   return "core/include/geolloyd " \
          "core/base core/text core/mesh core/formats core/shapes core/graph core/voronoi " \
-         "core/seeds core/lloyd core/remesh core/surface core/library " \
+         "core/seeds core/lloyd core/remesh core/surface core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \

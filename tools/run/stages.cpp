@@ -10,9 +10,9 @@
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_file.h"
-#include "core/seeds/seeds.h"
+#include "core/start/first_seeds.h"
 #include "core/text/file_io.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
 #include "tools/system/memory_estimate.h"
@@ -48,14 +48,14 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
 
 // `text` is that of the seeds file, if there is one.
 std::vector<NodeId> first_seeds(const SeedArguments& arguments, const std::string& text,
-                                const MeshGraph& mesh_graph, const Components& components,
-                                Scheduler& scheduler) {
+                                const Start& start, std::span<const TriangleId> duplicates,
+                                const Components& components, Scheduler& scheduler) {
   if (!arguments.file.empty()) {
-    return parse_seeds(text, arguments.file.string(), mesh_graph, components);
+    return parse_seeds(text, arguments.file.string(), start.mesh_graph, components);
   }
-  const Graph& graph = mesh_graph.graph;
-  return choose_seeds(graph, components, arguments.init, arguments.count, arguments.random_seed,
-                      *make_parallel_growing_search(scheduler, graph));
+  SchedulerRuntime runtime(scheduler);
+  return choose_first_seeds(start.input.mesh(), duplicates, start.mesh_graph, components,
+                            {arguments.init, arguments.count, arguments.random_seed}, runtime);
 }
 
 }  // namespace
@@ -85,6 +85,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
               ProgressLine& progress) {
   Start start;
   std::string seeds_text;
+  std::vector<TriangleId> duplicates;
   progress.stage("reading " + arguments.mesh.string());
   {
     LoadedInput loaded = load_input(arguments.mesh, scheduler);
@@ -96,6 +97,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
                     seeds.file.empty() ? seeds.count : most_seeds(seeds_text), purpose, scheduler);
     start.input = std::move(loaded.input);
     start.mesh_graph = std::move(built.mesh_graph);
+    duplicates = std::move(loaded.edges.duplicates);
     start.memory_estimate = built.memory_estimate;
     start.seconds.load = loaded.seconds;
     start.seconds.graph = loaded.edge_seconds + built.seconds;
@@ -104,7 +106,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
   const Stopwatch watch;
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
-  start.seeds = first_seeds(arguments.seeds, seeds_text, start.mesh_graph, components, scheduler);
+  start.seeds = first_seeds(arguments.seeds, seeds_text, start, duplicates, components, scheduler);
   start.seconds.seeds = watch.seconds();
   return start;
 }

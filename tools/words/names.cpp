@@ -43,6 +43,8 @@ const std::vector<Named<SeedInit>> seed_init_names = {
     {"kmeans++", SeedInit::kmeans_plus_plus},
     {"random-area", SeedInit::random_area},
     {"random", SeedInit::random},
+    {"surface", SeedInit::surface},
+    {"coarse", SeedInit::coarse},
 };
 
 const std::vector<Named<StopReason>> stop_reason_names = {

@@ -37,6 +37,8 @@ enum class SeedInit {
   farthest,          ///< each the node farthest from all before it (Gonzalez 1985)
   kmeans_plus_plus,  ///< with chances by mass * distance^2 to those before (Arthur, Vassilvitskii
                      ///< 2007)
+  surface,           ///< near sites that have come to rest on the surface, as those of a remesh do
+  coarse,            ///< where seeds come to rest on a coarser graph of the same metric
 };
 
 /// The greedy phase: left out, or with the standard or the extended heuristic (thesis; formulas in
@@ -48,7 +50,9 @@ enum class GreedyMode { off, standard, extended };
 /// takes time and raises the energy more often than it lowers it; from the other seeds it nearly
 /// always lowers it (bench/README.md, "When the greedy phase pays").
 constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
-  return init == SeedInit::farthest ? GreedyMode::off : GreedyMode::extended;
+  const bool is_even = init == SeedInit::farthest || init == SeedInit::surface ||
+                       init == SeedInit::coarse;
+  return is_even ? GreedyMode::off : GreedyMode::extended;
 }
 
 enum class Phase { greedy, precise };
