@@ -36,6 +36,7 @@ RelaxationOptions relaxation_options(const TessellateOptions& options) {
   RelaxationOptions relaxation;
   relaxation.max_greedy_steps = options.max_greedy_steps;
   relaxation.max_macrosteps = options.max_macrosteps;
+  relaxation.improvement_rounds = options.improvement_rounds;
   const bool is_given = !options.first_seeds.empty();
   relaxation.greedy = options.greedy.value_or(is_given ? GreedyMode::extended
                                                        : suggested_greedy_mode(options.init));
@@ -53,16 +54,16 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runt
   result.mesh_graph =
       make_mesh_graph(mesh, edges, {options.graph, options.norm, field}, runtime.executor());
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
-  result.relaxation =
-      relax(result.mesh_graph.graph, *engine,
-            find_first_seeds(mesh, edges, result.mesh_graph, options, runtime),
-            relaxation_options(options), options.progress);
+  result.relaxation = relax(result.mesh_graph.graph, *engine,
+                            find_first_seeds(mesh, edges, result.mesh_graph, options, runtime),
+                            relaxation_options(options), options.progress);
   return describe(std::move(result));
 }
 
 Tessellation voronoi(const Mesh& mesh, TessellateOptions options, Runtime& runtime) {
   options.max_greedy_steps = 0;
   options.max_macrosteps = 0;
+  options.improvement_rounds = 0;
   return tessellate(mesh, options, runtime);
 }
 

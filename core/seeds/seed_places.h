@@ -25,10 +25,10 @@ struct SeedPlace {
   Vec3 position;
 };
 
-/// Different nodes near `places`, in their order: of the nodes of the place's triangle (its corners,
-/// the triangle, or both), the one nearest to the place that is not taken yet. If all are, the
-/// first free node that a breadth-first search from there finds soon. A place about which all is
-/// taken gets no seed.
+/// Different nodes near `places`, in their order: of the nodes of the place's triangle (its
+/// corners, the triangle, or both), the one nearest to the place that is not taken yet. If all are,
+/// the first free node that a breadth-first search from there finds soon. A place about which all
+/// is taken gets no seed.
 std::vector<NodeId> seeds_near(const Mesh& mesh, const MeshGraph& mesh_graph,
                                std::span<const SeedPlace> places);
 

@@ -22,8 +22,8 @@ std::vector<NodeId> seeds_on_surface(const Mesh& mesh, std::span<const TriangleI
       [&](const FineMesh& fine) { return runtime.make_surface_engine(fine); }, runtime.executor());
   const LabelledSites& state = start.resting.state;
   std::vector<SeedPlace> places;
-  for (const SurfacePoint& point : place_sites(mesh, start.input(), state.sites.positions,
-                                               state.labels, runtime.executor())) {
+  for (const SurfacePoint& point :
+       place_sites(mesh, start.input(), state.sites.positions, state.labels, runtime.executor())) {
     if (point.triangle == no_id) continue;
     places.push_back({point.triangle, position_of(mesh, point)});
   }

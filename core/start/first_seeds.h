@@ -20,9 +20,9 @@ struct FirstSeedOptions {
   std::uint64_t random_seed = 1;
 };
 
-/// `count` different nodes of a mesh's graph, by any way to choose them: choose_seeds (seeds.h), and
-/// the ways that need more than the graph. Where sites of the surface, or seeds of a coarser graph,
-/// are too few in a component, its further seeds are farthest points. Throws InvalidInput as
+/// `count` different nodes of a mesh's graph, by any way to choose them: choose_seeds (seeds.h),
+/// and the ways that need more than the graph. Where sites of the surface, or seeds of a coarser
+/// graph, are too few in a component, its further seeds are farthest points. Throws InvalidInput as
 /// choose_seeds does. `duplicates` are the mesh's (mesh_edges.h).
 std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const TriangleId> duplicates,
                                        const MeshGraph& mesh_graph, const Components& components,

@@ -23,8 +23,7 @@ SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> du
       make_surface_input(mesh, surface_options(mesh, duplicates, area, sites), executor));
   const double whole_area = start.input().fine.whole_area;
   const double spacing = std::sqrt(2 * whole_area / (std::sqrt(3.0) * static_cast<double>(sites)));
-  start.divided =
-      std::make_unique<const DividedSurface>(start.input(), spacing, true, executor);
+  start.divided = std::make_unique<const DividedSurface>(start.input(), spacing, true, executor);
   const SurfaceRemeshOptions options;
   SiteRelaxer relaxer(make_engine, options, whole_area, 1 / start.input().frame.scale, executor);
   start.resting = rest_sites(start.surface(), sites, relaxer, executor);

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "geolloyd/errors.h"
 #include "core/lloyd/engine.h"
 #include "core/surface/surface_engine.h"
 #include "core/voronoi/growing_search.h"
+#include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "parallel/threads/scheduler.h"
 
