@@ -19,7 +19,7 @@ function table() {
          "tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/formats tests/shapes tests/graph " \
-         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/library tests/parallel tests/evaluation " \
+         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/start tests/library tests/parallel tests/evaluation " \
          "tests/program tests/golden tests/work tests/fuzz"
 }
 

@@ -1,8 +1,13 @@
 #include "core/start/first_seeds.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/seeds/seed_places.h"
 #include "core/seeds/seeds.h"
+#include "core/start/coarse_graph.h"
 #include "core/start/surface_start.h"
 #include "core/surface/site_places.h"
 
@@ -30,6 +35,34 @@ std::vector<NodeId> seeds_on_surface(const Mesh& mesh, std::span<const TriangleI
   return seeds_near(mesh, mesh_graph, places);
 }
 
+// Where seeds rest, after some rounds of improvement, on a graph with some nodes for each: rounds
+// cost little there. None where the graph is not much finer.
+std::vector<NodeId> seeds_on_coarse_graph(const Graph& graph, const Components& components,
+                                          std::size_t count, std::uint64_t random_seed,
+                                          Runtime& runtime) {
+  constexpr std::size_t nodes_per_seed = 32;
+  constexpr std::size_t fewest_nodes = 4096;
+  const std::size_t nodes = std::max(nodes_per_seed * count, fewest_nodes);
+  if (4 * nodes > graph.node_count()) return {};
+  std::vector<NodeId> places = choose_seeds(graph, components, SeedInit::random_area, nodes,
+                                            random_seed, *runtime.make_growing_search(graph));
+  std::sort(places.begin(), places.end());
+  const Graph coarse =
+      contract(graph, partition_of(*runtime.make_engine(graph), places), nodes, runtime.executor());
+  std::vector<NodeId> first =
+      choose_seeds(coarse, connected_components(coarse), SeedInit::farthest, count, random_seed,
+                   *runtime.make_growing_search(coarse));
+  RelaxationOptions options;
+  options.greedy = GreedyMode::off;
+  options.improvement_rounds = 20;
+  std::vector<NodeId> seeds;
+  for (const NodeId s :
+       relax(coarse, *runtime.make_engine(coarse), std::move(first), options).seeds) {
+    seeds.push_back(places[s]);
+  }
+  return seeds;
+}
+
 }  // namespace
 
 std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const TriangleId> duplicates,
@@ -38,10 +71,12 @@ std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const Triangl
   const Graph& graph = mesh_graph.graph;
   const auto [init, count, random_seed] = options;
   check_seed_count(graph, components, count);
-  if (init == SeedInit::surface) {
-    const std::vector<NodeId> near_sites =
-        seeds_on_surface(mesh, duplicates, mesh_graph, count, runtime);
-    return complete_seeds(graph, components, near_sites, count, random_seed,
+  if (init == SeedInit::surface || init == SeedInit::coarse) {
+    const std::vector<NodeId> found =
+        init == SeedInit::surface
+            ? seeds_on_surface(mesh, duplicates, mesh_graph, count, runtime)
+            : seeds_on_coarse_graph(graph, components, count, random_seed, runtime);
+    return complete_seeds(graph, components, found, count, random_seed,
                           *runtime.make_growing_search(graph));
   }
   return choose_seeds(graph, components, init, count, random_seed,
