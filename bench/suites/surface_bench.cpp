@@ -52,8 +52,8 @@ bool is_fine_surface(const SurfaceInput& input, const SurfaceFineness& fineness)
   if (std::abs(input.fine.whole_area - fineness.area * square) > 1e-9 * input.fine.whole_area) {
     return false;
   }
-  if (input.fine.vertex_count() > fineness.vertex_limit / 2) return true;
-  const double longest = fineness.longest_edge * input.frame.scale;
+  if (input.fine.vertex_count() > fineness.options.vertex_limit / 2) return true;
+  const double longest = fineness.options.longest_edge * input.frame.scale;
   for (const Triangle& t : input.fine.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3 edge = input.fine.positions[t[(c + 1) % 3]] - input.fine.positions[t[c]];
@@ -68,7 +68,7 @@ void make_input(Run& run, const Workers& workers) {
   const SurfaceInput& expected = in.surface(run.seeds()).input();
   const SurfaceFineness fineness = surface_fineness(in.mesh(), in.edges(), run.seeds());
   const auto work = [&] {
-    return make_surface_input(in.mesh(), fineness.options(in.edges().duplicates), workers.executor);
+    return make_surface_input(in.mesh(), fineness.options, workers.executor);
   };
   run.verify("not the surface of the mesh", [&] {
     const SurfaceInput made = work();
@@ -100,7 +100,7 @@ bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::siz
 }
 
 void make_levels(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const auto work = [&] { return LevelMeshes(start.surface(), start.spacings, workers.executor); };
   run.verify("not the levels of the calling thread", [&] {
     const LevelMeshes expected(start.surface(), start.spacings);
@@ -112,7 +112,7 @@ void make_levels(Run& run, const Workers& workers) {
 }
 
 // All free sites a tenth of a spacing away, which is farther than most steps of a descent.
-std::vector<Vec3> shifted_sites(const SurfaceStart& start) {
+std::vector<Vec3> shifted_sites(const RestedSurface& start) {
   const SurfaceSites& sites = start.resting.state.sites;
   std::vector<Vec3> shifted = sites.positions;
   for (std::size_t r = 0; r < shifted.size(); ++r) {
@@ -126,7 +126,7 @@ std::vector<Vec3> shifted_sites(const SurfaceStart& start) {
   return shifted;
 }
 
-std::unique_ptr<SurfaceEngine> engine_at_rest(const SurfaceStart& start,
+std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start,
                                               const MakeSurfaceEngine& make_engine) {
   auto engine = make_engine(start.input().fine);
   engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_chain);
@@ -141,7 +141,7 @@ bool evaluate_alike(SurfaceEngine& engine, SurfaceEngine& expected, std::span<co
 
 // There and back, so that all sites have moved in each turn.
 void evaluate(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   std::vector<Vec3> from = start.resting.state.sites.positions;
   std::vector<Vec3> to = shifted_sites(start);
   const auto engine = engine_at_rest(start, workers.make_engine);
@@ -164,7 +164,7 @@ struct Descended {
 };
 
 // From sites that do not rest, so that all iterations take place.
-Descended descend_ten(const SurfaceStart& start, SurfaceEngine& engine, Executor& executor) {
+Descended descend_ten(const RestedSurface& start, SurfaceEngine& engine, Executor& executor) {
   Descended result{shifted_sites(start), 0};
   DescentOptions options;
   options.stays = start.resting.state.sites.stays;
@@ -175,12 +175,12 @@ Descended descend_ten(const SurfaceStart& start, SurfaceEngine& engine, Executor
 }
 
 // Within a thousandth of the energy that the sites were shaken from.
-bool went_down(const SurfaceStart& start, const Descended& descended) {
+bool went_down(const RestedSurface& start, const Descended& descended) {
   return descended.energy < 1.001 * start.energy;
 }
 
 void descend(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const auto engine = workers.make_engine(start.input().fine);
   const LevelMesh level = fine_level(start.surface());
   const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_chain); };
@@ -202,7 +202,7 @@ struct Refined {
   std::vector<RegionId> labels;
 };
 
-Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
+Refined refine_at_rest(const RestedSurface& start, const ChainSites& finer,
                        std::span<const std::array<RegionId, 2>> on_chains,
                        std::span<const VertexId> itself, Executor& executor) {
   const LabelledSites& state = start.resting.state;
@@ -214,7 +214,7 @@ Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
 }
 
 // No heir of a vertex's old site is nearer to it than that of its new label.
-bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
+bool inherit_nearest(const RestedSurface& start, const Refined& refined) {
   for (std::size_t v = 0; v < refined.labels.size(); ++v) {
     const Vec3& p = start.input().fine.positions[v];
     const auto distance = [&](RegionId r) {
@@ -229,7 +229,7 @@ bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
 }
 
 void refine(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const ChainSites old =
       place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
   const ChainSites finer =
@@ -254,7 +254,7 @@ struct Repaired {
   std::uint64_t fingerprint = 0;
 };
 
-Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::size_t sites,
+Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::size_t sites,
                         const MakeSurfaceEngine& make_engine, Executor& executor) {
   SurfaceRemeshOptions options;
   options.vertex_count = sites;
@@ -265,7 +265,7 @@ Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::si
 }
 
 void repair(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const std::size_t sites = run.seeds();
   RestingSites resting;
   const auto prepare = [&] { resting = start.resting; };

@@ -40,6 +40,9 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.has_field = !arguments.vfield.empty();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
+  size.has_coarse_graph = purpose.init == SeedInit::coarse;
+  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
+  if (purpose.init == SeedInit::surface) size.fine_vertices = size.vertices + 10 * size.seeds;
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
   }
@@ -81,8 +84,9 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loade
   return built;
 }
 
-Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
               ProgressLine& progress) {
+  if (arguments.seeds.file.empty()) purpose.init = arguments.seeds.init;
   Start start;
   std::string seeds_text;
   std::vector<TriangleId> duplicates;
