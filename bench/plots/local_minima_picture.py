@@ -9,7 +9,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from plots.page import count, interruption, log_ticks, shortened, tick_text, page
 from plots.theme import SMALL, Theme
 
-WIDTH, HEIGHT = 11.5, 4.6
+WIDTH, HEIGHT = 11.5, 5
 STYLES = {False: "-", True: (0, (3, 1.5))}
 
 
@@ -44,12 +44,10 @@ def draw_course(axes: Axes, row: dict, theme: Theme) -> None:
         axes.plot(xs, ys, color=colour_of(way, theme), linestyle=STYLES["rounds" in way], linewidth=1.5)
         axes.plot(xs[-1:], ys[-1:], marker_of(way), color=colour_of(way, theme), markersize=6, label=way)
     logarithmic_time(axes, seconds)
-    axes.set_ylim(top=1.05)
     axes.grid(True)
     axes.set_title(f"{row['name']}, {count(row['seeds'], 'seed')}: each step")
     axes.set_xlabel("seconds, first seeds included")
     axes.set_ylabel("energy / that of farthest points, relaxed")
-    axes.legend(loc="lower left", fontsize=SMALL)
 
 
 def draw_all(axes: Axes, rows: list[dict], theme: Theme) -> None:
@@ -83,6 +81,9 @@ def draw(result: dict, theme: Theme) -> Figure:
     shown = max(plain, key=lambda row: (row["seeds"] == 2048, row["runs"]["farthest"]["seconds"]))
     draw_course(panels[0], shown, theme)
     draw_all(panels[1], rows, theme)
+    ends = [run["energy"] / row["runs"]["farthest"]["energy"] for row in rows for run in row["runs"].values()]
+    panels[0].set_ylim(min(ends) - 0.01, 1.05)
+    panels[0].legend(loc="lower left", ncol=2, fontsize=SMALL)
     return figure
 
 
