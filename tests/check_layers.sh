@@ -12,14 +12,14 @@ awk '
 function table() {
   return "core/include/geolloyd " \
          "core/base core/text core/mesh core/repair core/formats core/shapes core/graph core/voronoi " \
-         "core/seeds core/lloyd core/remesh core/surface core/library " \
+         "core/seeds core/lloyd core/remesh core/surface core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/repair tests/formats tests/shapes tests/graph " \
-         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/library tests/parallel tests/evaluation " \
+         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/start tests/library tests/parallel tests/evaluation " \
          "tests/program tests/golden tests/work tests/fuzz"
 }
 

@@ -56,8 +56,8 @@ bool is_fine_surface(const SurfaceInput& input, const SurfaceFineness& fineness)
   if (std::abs(input.fine.whole_area - fineness.area * square) > 1e-9 * input.fine.whole_area) {
     return false;
   }
-  if (input.fine.vertex_count() > fineness.vertex_limit / 2) return true;
-  const double longest = fineness.longest_edge * input.frame.scale;
+  if (input.fine.vertex_count() > fineness.options.vertex_limit / 2) return true;
+  const double longest = fineness.options.longest_edge * input.frame.scale;
   for (const Triangle& t : input.fine.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Vec3 edge = input.fine.positions[t[(c + 1) % 3]] - input.fine.positions[t[c]];
@@ -72,7 +72,7 @@ void make_input(Run& run, const Workers& workers) {
   const SurfaceInput& expected = in.surface(run.seeds()).input();
   const SurfaceFineness fineness = surface_fineness(in.mesh(), in.edges(), run.seeds());
   const auto work = [&] {
-    return make_surface_input(in.mesh(), fineness.options(in.edges().duplicates), workers.executor);
+    return make_surface_input(in.mesh(), fineness.options, workers.executor);
   };
   run.verify("not the surface of the mesh", [&] {
     const SurfaceInput made = work();
@@ -104,7 +104,7 @@ bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::siz
 }
 
 void make_levels(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const auto work = [&] { return LevelMeshes(start.surface(), start.spacings, workers.executor); };
   run.verify("not the levels of the calling thread", [&] {
     const LevelMeshes expected(start.surface(), start.spacings);
@@ -116,7 +116,7 @@ void make_levels(Run& run, const Workers& workers) {
 }
 
 // All free sites a tenth of a spacing away, which is farther than most steps of a descent.
-std::vector<Vec3> shifted_sites(const SurfaceStart& start) {
+std::vector<Vec3> shifted_sites(const RestedSurface& start) {
   const SurfaceSites& sites = start.resting.state.sites;
   std::vector<Vec3> shifted = sites.positions;
   for (std::size_t r = 0; r < shifted.size(); ++r) {
@@ -130,7 +130,7 @@ std::vector<Vec3> shifted_sites(const SurfaceStart& start) {
   return shifted;
 }
 
-std::unique_ptr<SurfaceEngine> engine_at_rest(const SurfaceStart& start,
+std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start,
                                               const MakeSurfaceEngine& make_engine) {
   auto engine = make_engine(start.input().fine);
   engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_chain);
@@ -145,7 +145,7 @@ bool evaluate_alike(SurfaceEngine& engine, SurfaceEngine& expected, std::span<co
 
 // There and back, so that all sites have moved in each turn.
 void evaluate(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   std::vector<Vec3> from = start.resting.state.sites.positions;
   std::vector<Vec3> to = shifted_sites(start);
   const auto engine = engine_at_rest(start, workers.make_engine);
@@ -168,7 +168,7 @@ struct Descended {
 };
 
 // From sites that do not rest, so that all iterations take place.
-Descended descend_ten(const SurfaceStart& start, SurfaceEngine& engine, Executor& executor) {
+Descended descend_ten(const RestedSurface& start, SurfaceEngine& engine, Executor& executor) {
   Descended result{shifted_sites(start), 0};
   DescentOptions options;
   options.stays = start.resting.state.sites.stays;
@@ -179,12 +179,12 @@ Descended descend_ten(const SurfaceStart& start, SurfaceEngine& engine, Executor
 }
 
 // Within a thousandth of the energy that the sites were shaken from.
-bool went_down(const SurfaceStart& start, const Descended& descended) {
+bool went_down(const RestedSurface& start, const Descended& descended) {
   return descended.energy < 1.001 * start.energy;
 }
 
 void descend(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const auto engine = workers.make_engine(start.input().fine);
   const LevelMesh level = fine_level(start.surface());
   const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_chain); };
@@ -206,7 +206,7 @@ struct Refined {
   std::vector<RegionId> labels;
 };
 
-Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
+Refined refine_at_rest(const RestedSurface& start, const ChainSites& finer,
                        std::span<const std::array<RegionId, 2>> on_chains,
                        std::span<const VertexId> itself, Executor& executor) {
   const LabelledSites& state = start.resting.state;
@@ -218,7 +218,7 @@ Refined refine_at_rest(const SurfaceStart& start, const ChainSites& finer,
 }
 
 // No heir of a vertex's old site is nearer to it than that of its new label.
-bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
+bool inherit_nearest(const RestedSurface& start, const Refined& refined) {
   for (std::size_t v = 0; v < refined.labels.size(); ++v) {
     const Vec3& p = start.input().fine.positions[v];
     const auto distance = [&](RegionId r) {
@@ -233,7 +233,7 @@ bool inherit_nearest(const SurfaceStart& start, const Refined& refined) {
 }
 
 void refine(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const ChainSites old =
       place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
   const ChainSites finer =
@@ -258,7 +258,7 @@ struct Repaired {
   std::uint64_t fingerprint = 0;
 };
 
-Repaired repair_at_rest(const SurfaceStart& start, RestingSites resting, std::size_t sites,
+Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::size_t sites,
                         const MakeSurfaceEngine& make_engine, Executor& executor) {
   SurfaceRemeshOptions options;
   options.vertex_count = sites;
@@ -275,7 +275,7 @@ struct LabelledDual {
   std::size_t on_chains = 0;
 };
 
-LabelledDual dual_at_rest(const SurfaceStart& start, std::size_t sites) {
+LabelledDual dual_at_rest(const RestedSurface& start, std::size_t sites) {
   DualisedSites dualised =
       repair_at_rest(start, start.resting, sites, make_reference_surface_engine, sequential())
           .dualised;
@@ -290,7 +290,7 @@ LabelledDual dual_at_rest(const SurfaceStart& start, std::size_t sites) {
 }
 
 void repair(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const std::size_t sites = run.seeds();
   RestingSites resting;
   const auto prepare = [&] { resting = start.resting; };
@@ -311,7 +311,7 @@ void repair(Run& run, const Workers& workers) {
 }
 
 void fit(Run& run, const Workers& workers) {
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   const LabelledDual dual = dual_at_rest(start, run.seeds());
   Mesh mesh;
   const auto prepare = [&] { mesh = dual.mesh; };
@@ -345,7 +345,7 @@ void find_creases(Run& run, const Workers& workers) {
 
 void find_sizes(Run& run, const Workers& workers) {
   Inputs& in = run.inputs();
-  const SurfaceStart& start = run.inputs().surface(run.seeds());
+  const RestedSurface& start = run.inputs().surface(run.seeds());
   SurfaceRemeshOptions options;
   options.vertex_count = run.seeds();
   options.sizing.adapt = 1;

@@ -181,8 +181,8 @@ const Relaxed& Inputs::relaxed(std::size_t seeds) {
   });
 }
 
-const SurfaceStart& Inputs::surface(std::size_t sites) {
-  return surface_.get(sites, [&] { return make_surface_start(mesh(), edges(), sites); });
+const RestedSurface& Inputs::surface(std::size_t sites) {
+  return surface_.get(sites, [&] { return rest_on_surface(mesh(), edges(), sites); });
 }
 
 const SurfaceRemesh& Inputs::surface_remesh(std::size_t sites) {

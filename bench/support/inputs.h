@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/support/bench_mesh.h"
-#include "bench/support/surface_start.h"
+#include "bench/support/rested_surface.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
@@ -90,7 +90,7 @@ class Inputs {
   const Rest& rest(std::size_t seeds);
   const Relaxed& relaxed(std::size_t seeds);
   /// For so many sites.
-  const SurfaceStart& surface(std::size_t sites);
+  const RestedSurface& surface(std::size_t sites);
   const SurfaceRemesh& surface_remesh(std::size_t sites);
 
  private:
@@ -104,7 +104,7 @@ class Inputs {
   Kept<Solved, std::size_t> moved_;
   Kept<Rest, std::size_t> rest_;
   Kept<Relaxed, std::size_t> relaxed_;
-  Kept<SurfaceStart, std::size_t> surface_;
+  Kept<RestedSurface, std::size_t> surface_;
   Kept<SurfaceRemesh, std::size_t> surface_remesh_;
 };
 

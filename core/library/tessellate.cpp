@@ -5,8 +5,7 @@
 
 #include "core/graph/components.h"
 #include "core/library/tessellated_graph.h"
-#include "core/seeds/seeds.h"
-#include "core/voronoi/growing_search.h"
+#include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -22,21 +21,22 @@ void validate(const Mesh& mesh, const TessellateOptions& options) {
   }
 }
 
-std::vector<NodeId> find_first_seeds(const MeshGraph& mesh_graph, const TessellateOptions& options,
+std::vector<NodeId> find_first_seeds(const Mesh& mesh, const MeshEdges& edges,
+                                     const MeshGraph& mesh_graph, const TessellateOptions& options,
                                      Runtime& runtime) {
   const Components components = connected_components(mesh_graph.graph);
   if (!options.first_seeds.empty()) {
     return nodes_of_seeds(mesh_graph, components, options.first_seeds);
   }
-  const auto search = runtime.make_growing_search(mesh_graph.graph);
-  return choose_seeds(mesh_graph.graph, components, options.init, options.seed_count,
-                      options.random_seed, *search);
+  return choose_first_seeds(mesh, edges.duplicates, mesh_graph, components,
+                            {options.init, options.seed_count, options.random_seed}, runtime);
 }
 
 RelaxationOptions relaxation_options(const TessellateOptions& options) {
   RelaxationOptions relaxation;
   relaxation.max_greedy_steps = options.max_greedy_steps;
   relaxation.max_macrosteps = options.max_macrosteps;
+  relaxation.improvement_rounds = options.improvement_rounds;
   const bool is_given = !options.first_seeds.empty();
   relaxation.greedy = options.greedy.value_or(is_given ? GreedyMode::extended
                                                        : suggested_greedy_mode(options.init));
@@ -54,15 +54,16 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runt
   result.mesh_graph =
       make_mesh_graph(mesh, edges, {options.graph, options.norm, field}, runtime.executor());
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
-  result.relaxation =
-      relax(result.mesh_graph.graph, *engine, find_first_seeds(result.mesh_graph, options, runtime),
-            relaxation_options(options), options.progress);
+  result.relaxation = relax(result.mesh_graph.graph, *engine,
+                            find_first_seeds(mesh, edges, result.mesh_graph, options, runtime),
+                            relaxation_options(options), options.progress);
   return describe(std::move(result));
 }
 
 Tessellation voronoi(const Mesh& mesh, TessellateOptions options, Runtime& runtime) {
   options.max_greedy_steps = 0;
   options.max_macrosteps = 0;
+  options.improvement_rounds = 0;
   return tessellate(mesh, options, runtime);
 }
 

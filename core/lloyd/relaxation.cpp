@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/lloyd/improvement.h"
 #include "core/voronoi/energy.h"
 #include "core/voronoi/fingerprint.h"
 
@@ -44,17 +45,17 @@ class LloydLoop {
   // Returns why there is no next step, or none to its end.
   std::optional<StopReason> take_step() {
     const Phase phase = next_phase();
-    if (phase == Phase::precise && has_converged()) return StopReason::converged;
+    if (phase == Phase::improvement && is_improved_enough()) return StopReason::converged;
     if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps)
       return StopReason::limit;
-    if (wanders()) return StopReason::recurred;
+    if (phase != Phase::improvement && wanders()) return StopReason::recurred;
     const Stopwatch watch;
     const KernelSeconds before = engine_.seconds();
     begin_step(phase);
     if (phase == Phase::precise && has_macrostep_from(next_.step.state))
       return StopReason::recurred;
-    is_cut_short_ = !(phase == Phase::greedy ? greedy_step() : macrostep());
-    is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0;
+    is_cut_short_ = !take(phase);
+    is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0 && phase != Phase::improvement;
     next_.step.seconds = since(before, engine_.seconds(), watch.seconds());
     if (is_cut_short_) return StopReason::interrupted;
     accept_step();
@@ -66,15 +67,29 @@ class LloydLoop {
   [[nodiscard]] Phase next_phase() const {
     const std::vector<Step>& steps = state_.steps;
     const bool is_over =
-        !steps.empty() && (steps.back().phase == Phase::precise || steps.back().seeds_moved == 0);
+        !steps.empty() && (steps.back().phase != Phase::greedy || steps.back().seeds_moved == 0);
+    if (has_converged()) return Phase::improvement;
     const bool is_greedy =
         options_.greedy != GreedyMode::off && !is_over && steps.size() < options_.max_greedy_steps;
     return is_greedy ? Phase::greedy : Phase::precise;
   }
 
   [[nodiscard]] bool has_converged() const {
-    return !state_.steps.empty() && state_.steps.back().phase == Phase::precise &&
-           state_.steps.back().seeds_moved == 0;
+    if (state_.steps.empty()) return false;
+    const Step& last = state_.steps.back();
+    return last.phase == Phase::improvement ||
+           (last.phase == Phase::precise && last.seeds_moved == 0);
+  }
+
+  [[nodiscard]] bool is_improved_enough() const {
+    std::uint32_t rounds = 0;
+    double seconds = 0;
+    for (const Step& step : state_.steps) {
+      if (step.phase != Phase::improvement) continue;
+      ++rounds;
+      seconds += total(step.seconds);
+    }
+    return rounds >= options_.improvement_rounds || seconds >= options_.improvement_seconds;
   }
 
   // Each macrostep lowers the score or keeps it. Where it keeps it, as where all masses are 0, the
@@ -131,35 +146,89 @@ class LloydLoop {
     }
   }
 
+  bool take(Phase phase) {
+    switch (phase) {
+      case Phase::greedy:
+        return greedy_step();
+      case Phase::precise:
+        next_.scores = state_.last_scores;
+        return macrostep() && count_moves();
+      case Phase::improvement:
+        return improve() && count_moves();
+    }
+    return false;
+  }
+
+  bool count_moves() {
+    for (std::size_t r = 0; r < next_.seeds.size(); ++r) {
+      if (next_.seeds[r] != state_.seeds[r]) ++next_.step.seeds_moved;
+    }
+    return true;
+  }
+
+  // One macrostep of the seeds just partitioned. Regions with the score that they had at the last
+  // one keep their seed.
   bool macrostep() {
     const std::span<const Score> scores = engine_.region_scores();
-    next_.scores.assign(scores.begin(), scores.end());
     const std::size_t regions = scores.size();
     std::vector<std::uint8_t> keeps_seed(regions, 0);
-    if (options_.macrostep_skip && !state_.last_scores.empty()) {
+    if (options_.macrostep_skip && !next_.scores.empty()) {
       for (std::size_t r = 0; r < regions; ++r) {
-        keeps_seed[r] = scores[r] == state_.last_scores[r] ? 1 : 0;
+        keeps_seed[r] = scores[r] == next_.scores[r] ? 1 : 0;
       }
     }
+    next_.scores.assign(scores.begin(), scores.end());
     bool goes_on = true;
-    const std::uint32_t number = next_number(Phase::precise);
-    next_.step.microsteps = engine_.macrostep(
+    const Phase phase = next_.step.phase;
+    const std::uint32_t number = next_number(phase);
+    const std::vector<Microstep> microsteps = engine_.macrostep(
         next_.seeds, {keeps_seed, extended(), options_.microstep_skip},
         [&](std::uint32_t seeds_moving) {
-          goes_on = goes_on && notify({Phase::precise, number, seeds_moving, next_.step.energy});
+          goes_on = goes_on && notify({phase, number, seeds_moving, next_.step.energy});
           return goes_on;
         });
-    for (const Microstep& microstep : next_.step.microsteps) {
+    for (const Microstep& microstep : microsteps) {
       next_.step.node_visits += microstep.node_visits;
-    }
-    for (std::size_t r = 0; r < regions; ++r) {
-      if (next_.seeds[r] != state_.seeds[r]) ++next_.step.seeds_moved;
+      next_.step.microsteps.push_back(microstep);
     }
     return goes_on;
   }
 
+  // One round: disturbs the seeds, relaxes them, and keeps what costs less than before.
+  bool improve() {
+    const ScoredPartition base = partitioned(state_.seeds);
+    next_.scores = state_.last_scores;
+    next_.seeds = disturb(graph_, base, next_number(Phase::improvement));
+    if (!relax_disturbed()) return false;
+    const std::vector<std::uint8_t> is_lower = lower_clusters(base, partitioned(next_.seeds));
+    for (std::size_t r = 0; r < is_lower.size(); ++r) {
+      if (is_lower[r] != 0) continue;
+      next_.seeds[r] = base.seeds[r];
+      next_.scores[r] = state_.last_scores[r];
+    }
+    return true;
+  }
+
+  // What has not come to rest after some macrosteps goes on in the next round, if it is kept.
+  bool relax_disturbed() {
+    constexpr int most_macrosteps = 5;
+    std::vector<NodeId> before;
+    for (int i = 0; i < most_macrosteps && next_.seeds != before; ++i) {
+      engine_.partition(next_.seeds);
+      before = next_.seeds;
+      if (!macrostep()) return false;
+    }
+    engine_.partition(next_.seeds);
+    return true;
+  }
+
+  [[nodiscard]] ScoredPartition partitioned(const std::vector<NodeId>& seeds) const {
+    const std::span<const Score> scores = engine_.region_scores();
+    return {seeds, engine_.current().key, {scores.begin(), scores.end()}};
+  }
+
   void accept_step() {
-    if (next_.step.phase == Phase::precise) state_.has_been_seed.clear();
+    if (next_.step.phase != Phase::greedy) state_.has_been_seed.clear();
     state_.seeds.swap(next_.seeds);
     state_.last_scores.swap(next_.scores);
     state_.steps.push_back(std::move(next_.step));

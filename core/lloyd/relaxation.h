@@ -22,9 +22,13 @@ struct RelaxationOptions {
   bool macrostep_skip = true;  ///< part of the definition: may, in theory, change the result
   std::uint32_t max_greedy_steps = no_limit;
   std::uint32_t max_macrosteps = no_limit;
+  /// Rounds of improvement after the precise phase has converged; the last one is that in which
+  /// one of both limits is reached. A limit of seconds depends on the machine, so the result does.
+  std::uint32_t improvement_rounds = 0;
+  double improvement_seconds = std::numeric_limits<double>::infinity();
 };
 
-/// One greedy step, or one macrostep of the precise phase.
+/// One greedy step, one macrostep of the precise phase, or one round of improvement.
 struct Step {
   Phase phase = Phase::greedy;
   std::uint32_t seeds_moved = 0;      ///< seeds that end the step elsewhere than they began it
@@ -32,7 +36,7 @@ struct Step {
   Score score = 0;                    ///< of the partition at its start, ticks
   double energy = 0;                  ///< the same in mesh units
   std::uint64_t state = 0;            ///< digest of the partition at its start
-  std::vector<Microstep> microsteps;  ///< precise phase only
+  std::vector<Microstep> microsteps;  ///< of its macrosteps: of one, or of all in a round
   KernelSeconds seconds;
 };
 
@@ -42,7 +46,7 @@ struct RelaxationState {
   std::vector<NodeId> seeds;        ///< with which the next step begins
   std::vector<NodeId> best_seeds;   ///< those of the lowest score met so far, the earliest of them
   std::vector<bool> has_been_seed;  ///< per node, in the greedy phase; else empty
-  std::vector<Score> last_scores;   ///< per region at the start of the last macrostep, if any
+  std::vector<Score> last_scores;   ///< per region at the start of its last macrostep, if any
   std::vector<Step> steps;          ///< taken so far
 };
 
@@ -66,7 +70,9 @@ using StepCallback = std::function<void(const RelaxationState&)>;
 /// Moves `seeds` toward the centroids of their regions until none moves: greedy phase, then precise
 /// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. The result
 /// is the best state met, also where the relaxation converges: the greedy phase may raise the
-/// score.
+/// score. Where no seed moves, the score is a local minimum. Rounds of improvement leave it: each
+/// disturbs the seeds (improvement.h), takes up to five macrosteps, and keeps the clusters of
+/// regions that cost less than before. So no round raises the score.
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
                  const RelaxationOptions& options, const ProgressCallback& observer = {});
 

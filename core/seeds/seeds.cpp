@@ -100,13 +100,14 @@ class SeedChooser {
 
   void choose_farthest(std::span<const NodeId> nodes, std::size_t count) {
     choose_random(nodes, 1);
-    search_.add(chosen_.back());
-    place_.resize(graph_.node_count());
-    FarthestNode farthest(nodes, search_.keys(), place_);
-    for (--count; count > 0; --count) {
-      choose(farthest.find());
-      farthest.note_changed(search_.add(chosen_.back()));
-    }
+    choose_farthest_from({&chosen_.back(), 1}, nodes, count - 1);
+  }
+
+  // `given`, no more than `count`, then the farthest from them.
+  void complete(std::span<const NodeId> given, std::span<const NodeId> nodes, std::size_t count) {
+    if (given.empty()) return choose_farthest(nodes, count);
+    for (const NodeId v : given) choose(v);
+    choose_farthest_from(given, nodes, count - given.size());
   }
 
   void choose_plus_plus(std::span<const NodeId> nodes, std::size_t count) {
@@ -123,6 +124,18 @@ class SeedChooser {
   std::vector<NodeId> take() { return std::move(chosen_); }
 
  private:
+  void choose_farthest_from(std::span<const NodeId> first, std::span<const NodeId> nodes,
+                            std::size_t count) {
+    if (count == 0) return;
+    for (const NodeId v : first) search_.add(v);
+    place_.resize(graph_.node_count());
+    FarthestNode farthest(nodes, search_.keys(), place_);
+    for (; count > 0; --count) {
+      choose(farthest.find());
+      farthest.note_changed(search_.add(chosen_.back()));
+    }
+  }
+
   void choose(NodeId v) {
     is_chosen_[v] = true;
     chosen_.push_back(v);
@@ -185,7 +198,9 @@ std::vector<std::size_t> share_out(const Graph& graph, const Components& compone
   return seeds;
 }
 
-void check_count(const Graph& graph, const Components& components, std::size_t count) {
+}  // namespace
+
+void check_seed_count(const Graph& graph, const Components& components, std::size_t count) {
   if (count < components.size()) {
     throw InvalidInput("the graph has " + std::to_string(components.size()) +
                        " connected components, and each needs a seed: ask for at least " +
@@ -199,8 +214,6 @@ void check_count(const Graph& graph, const Components& components, std::size_t c
   }
 }
 
-}  // namespace
-
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed) {
   return choose_seeds(graph, components, init, count, random_seed, *make_growing_search(graph));
@@ -209,7 +222,7 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed,
                                  GrowingSearch& search) {
-  check_count(graph, components, count);
+  check_seed_count(graph, components, count);
   const std::vector<std::size_t> share = share_out(graph, components, count);
   SeedChooser chooser(graph, random_seed, search);
   for (std::size_t c = 0; c < components.size(); ++c) {
@@ -227,7 +240,28 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
       case SeedInit::kmeans_plus_plus:
         chooser.choose_plus_plus(nodes, share[c]);
         break;
+      case SeedInit::surface:
+      case SeedInit::coarse:
+        chooser.choose_farthest(nodes, share[c]);
+        break;
     }
+  }
+  return chooser.take();
+}
+
+std::vector<NodeId> complete_seeds(const Graph& graph, const Components& components,
+                                   std::span<const NodeId> given, std::size_t count,
+                                   std::uint64_t random_seed, GrowingSearch& search) {
+  check_seed_count(graph, components, count);
+  const std::vector<std::size_t> share = share_out(graph, components, count);
+  std::vector<std::vector<NodeId>> kept(components.size());
+  for (const NodeId v : given) {
+    const std::uint32_t c = components.component_of[v];
+    if (kept[c].size() < share[c]) kept[c].push_back(v);
+  }
+  SeedChooser chooser(graph, random_seed, search);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    chooser.complete(kept[c], components.nodes(c), share[c]);
   }
   return chooser.take();
 }

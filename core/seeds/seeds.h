@@ -14,9 +14,13 @@
 
 namespace geolloyd {
 
+/// Throws InvalidInput where there are fewer seeds than components, or more than nodes.
+void check_seed_count(const Graph& graph, const Components& components, std::size_t count);
+
 /// `count` different nodes. Each component gets one, each further seed goes to the component with
 /// the most mass per seed. The same for the same arguments everywhere; ties go to the smaller node.
-/// Throws InvalidInput where there are fewer seeds than components, or more than nodes.
+/// Of the ways that need a mesh (start/first_seeds.h), what they come down to without: farthest
+/// points. Throws as check_seed_count.
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed);
 
@@ -24,6 +28,12 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed,
                                  GrowingSearch& search);
+
+/// `count` different nodes: as many of `given`, which are different, as each component's share has
+/// room for, the first of them, and then those farthest from them.
+std::vector<NodeId> complete_seeds(const Graph& graph, const Components& components,
+                                   std::span<const NodeId> given, std::size_t count,
+                                   std::uint64_t random_seed, GrowingSearch& search);
 
 /// Throws InvalidInput where a component has none of these seeds, and so would have no region.
 /// `name` opens the message.

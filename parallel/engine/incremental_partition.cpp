@@ -38,11 +38,7 @@ void IncrementalPartition::update(std::span<const NodeId> seeds) {
     const Timed timed(seconds_.free_search);
     const bool repairable = can_repair(seeds);
     has_partition_ = false;  // until it has, whatever is thrown
-    if (repairable) {
-      search_from_last(seeds);
-    } else {
-      search_from_scratch(seeds);
-    }
+    if (!repairable || !search_from_last(seeds)) search_from_scratch(seeds);
     seeds_.assign(seeds.begin(), seeds.end());
   }
   {
@@ -78,17 +74,19 @@ void IncrementalPartition::moved_to(std::span<const NodeId> seeds) {
   has_partition_ = true;
 }
 
-// Seeds that moved within their regions, and further seeds, leave upper bounds to start from.
+// Seeds that moved within their regions, and further seeds, leave upper bounds to start from. So do
+// seeds that left their regions, if most of the others stayed.
 bool IncrementalPartition::can_repair(std::span<const NodeId> seeds) const {
   if (!has_partition_ || seeds.size() < seeds_.size()) return false;
   if (frontier_ == Frontier::heap || frontier_ == Frontier::delta) return false;
+  std::size_t left = 0;
   for (RegionId r = 0; r < seeds_.size(); ++r) {
-    if (region_of(partition_.key[seeds[r]]) != r) return false;
+    if (region_of(partition_.key[seeds[r]]) != r) ++left;
   }
-  for (const NodeId further : seeds.subspan(seeds_.size())) {
-    if (partition_.key[further] == unreached) return false;
+  for (const NodeId s : seeds) {
+    if (partition_.key[s] == unreached) return false;
   }
-  return true;
+  return 4 * left <= seeds_.size();
 }
 
 void IncrementalPartition::search_from_scratch(std::span<const NodeId> seeds) {
@@ -119,19 +117,26 @@ void IncrementalPartition::sum_unreached() {
       });
 }
 
-void IncrementalPartition::search_from_last(std::span<const NodeId> seeds) {
+// Returns false where that leaves nodes unreached that were not.
+bool IncrementalPartition::search_from_last(std::span<const NodeId> seeds) {
   std::vector<RegionId> moved;
+  std::vector<RegionId> left;
   for (RegionId r = 0; r < seeds_.size(); ++r) {
     if (seeds[r] == seeds_[r]) continue;
-    moved.push_back(r);
+    (region_of(partition_.key[seeds[r]]) == r ? moved : left).push_back(r);
     is_changed_[r] = 1;
   }
   shift_keys(moved, seeds);
-  plant(seeds);
+  vacate(left);
+  for (const RegionId r : left) plant(r, seeds[r]);
+  for (std::size_t r = seeds_.size(); r < seeds.size(); ++r) {
+    plant(static_cast<RegionId>(r), seeds[r]);
+  }
   const std::vector<RegionId> suspects = regions_where(is_changed_, true);
   add_regions(seeds.size());
   delta_stepping_.repair(region_nodes_, cut_into_pieces(region_nodes_, suspects), partition_.key,
                          is_changed_);
+  return !is_vacant(left);
 }
 
 // Where a seed moved within its region, no node is farther than it was plus the way back to the old
@@ -163,13 +168,26 @@ void IncrementalPartition::shift_keys(std::span<const RegionId> moved,
   for (const RegionId r : moved) partition_.key[seeds[r]] = make_key(0, r);
 }
 
-// Seeds beyond those that there were take their nodes from other regions.
-void IncrementalPartition::plant(std::span<const NodeId> seeds) {
-  for (std::size_t r = seeds_.size(); r < seeds.size(); ++r) {
-    Key& key = partition_.key[seeds[r]];
-    if (region_of(key) < seeds_.size()) is_changed_[region_of(key)] = 1;
-    key = make_key(0, static_cast<RegionId>(r));
-  }
+// Nodes of regions whose seeds have left them go to their neighbours.
+void IncrementalPartition::vacate(std::span<const RegionId> regions) {
+  parallel_for(scheduler_, regions.size(), 1, [&](std::size_t i) {
+    for (const NodeId v : region_nodes_.of(regions[i])) partition_.key[v] = unreached;
+  });
+}
+
+// Whether no region has come to have a node of theirs.
+bool IncrementalPartition::is_vacant(std::span<const RegionId> regions) const {
+  return std::ranges::any_of(regions, [&](RegionId r) {
+    return std::ranges::any_of(region_nodes_.of(r),
+                               [&](NodeId v) { return partition_.key[v] == unreached; });
+  });
+}
+
+// The seed takes its nodes from other regions.
+void IncrementalPartition::plant(RegionId region, NodeId seed) {
+  Key& key = partition_.key[seed];
+  if (region_of(key) < seeds_.size()) is_changed_[region_of(key)] = 1;
+  key = make_key(0, region);
 }
 
 void IncrementalPartition::add_regions(std::size_t count) {

@@ -18,8 +18,8 @@
 
 namespace geolloyd {
 
-/// The partition, regions free, of seeds that move a little from time to time, or become more, and
-/// what depends on it region by region. Only regions in which something changed are gone through
+/// The partition, regions free, of seeds that move from time to time, or become more, and what
+/// depends on it region by region. Only regions in which something changed are gone through
 /// again.
 class IncrementalPartition {
  public:
@@ -55,9 +55,11 @@ class IncrementalPartition {
   [[nodiscard]] bool can_repair(std::span<const NodeId> seeds) const;
   void search_from_scratch(std::span<const NodeId> seeds);
   void sum_unreached();
-  void search_from_last(std::span<const NodeId> seeds);
+  [[nodiscard]] bool search_from_last(std::span<const NodeId> seeds);
   void shift_keys(std::span<const RegionId> moved, std::span<const NodeId> seeds);
-  void plant(std::span<const NodeId> seeds);
+  void vacate(std::span<const RegionId> regions);
+  [[nodiscard]] bool is_vacant(std::span<const RegionId> regions) const;
+  void plant(RegionId region, NodeId seed);
   void add_regions(std::size_t count);
   void derive_changed();
 

@@ -2,10 +2,11 @@
 
 #include <string>
 
+#include "core/lloyd/engine.h"
+#include "core/surface/surface_engine.h"
+#include "core/voronoi/growing_search.h"
 #include "geolloyd/errors.h"
-#include "parallel/engine/parallel_engine.h"
-#include "parallel/engine/parallel_growing_search.h"
-#include "parallel/surface/parallel_surface_engine.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -29,15 +30,15 @@ Executor& Threads::executor() {
 }
 
 std::unique_ptr<Engine> Threads::make_engine(const Graph& graph) {
-  return make_parallel_engine(*scheduler_, graph);
+  return SchedulerRuntime(*scheduler_).make_engine(graph);
 }
 
 std::unique_ptr<GrowingSearch> Threads::make_growing_search(const Graph& graph) {
-  return make_parallel_growing_search(*scheduler_, graph);
+  return SchedulerRuntime(*scheduler_).make_growing_search(graph);
 }
 
 std::unique_ptr<SurfaceEngine> Threads::make_surface_engine(const FineMesh& mesh) {
-  return make_parallel_surface_engine(mesh, *scheduler_);
+  return SchedulerRuntime(*scheduler_).make_surface_engine(mesh);
 }
 
 }  // namespace geolloyd

@@ -89,6 +89,7 @@ Soup make_soup(std::span<const std::uint8_t> bytes) {
   soup.threads = team_sizes[team % 4];
   soup.backend = team / 4 % 2 == 0 ? Backend::tbb : Backend::openmp;
   soup.frontier = static_cast<Frontier>(team / 8 % 4);
+  soup.relaxation.improvement_rounds = team / 32 % 4;
   const double scale = choices.of(scales);
   const auto frequency = static_cast<std::uint32_t>(1 + choices.below(3));
   const std::size_t vertices = 3 + choices.below(most_vertices - 2);

@@ -116,6 +116,24 @@ TEST_F(CheckpointTest, HoldsAllThatTheRestDependsOn) {
   }
 }
 
+// Rounds of improvement may have moved seeds from one grid to the other.
+TEST_F(CheckpointTest, HoldsRoundsOfImprovement) {
+  RelaxationOptions options;
+  options.improvement_rounds = 4;
+  const auto engine = make_reference_engine(graph_);
+  RelaxationState state;
+  state.seeds = first_;
+  std::vector<RelaxationState> states;
+  const Relaxation whole = relax(graph_, *engine, state, options, {},
+                                 [&](const RelaxationState& s) { states.push_back(s); });
+  ASSERT_EQ(states.back().steps.back().phase, Phase::improvement);
+  for (const RelaxationState& boundary : states) {
+    file().write({boundary, 1});
+    Checkpoint read = file().read();
+    expect_same(whole, relax(graph_, *engine, read.state, options));
+  }
+}
+
 TEST_F(CheckpointTest, IsRefusedWhereverItIsCutOff) {
   file().write({state(Phase::precise), 1});
   const std::string bytes = read_file(path_);

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <string>
+#include <string_view>
+
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/words/numbers.h"
 
 namespace geolloyd {
 
@@ -19,6 +24,19 @@ constexpr const char* seed_group = "Seeds";
 constexpr const char* graph_group = "Graph";
 constexpr const char* relaxation_group = "Relaxation";
 constexpr const char* thread_group = "Threads (they never change a result)";
+
+Improvement parse_improvement(const std::string& text) {
+  if (text.ends_with('s')) {
+    const auto seconds = parse_number<double>(std::string_view(text).substr(0, text.size() - 1));
+    if (seconds && std::isfinite(*seconds) && *seconds > 0) {
+      return {RelaxationOptions::no_limit, *seconds};
+    }
+  } else if (const auto rounds = parse_number<std::uint32_t>(text)) {
+    return {*rounds, std::numeric_limits<double>::infinity()};
+  }
+  throw InvalidInput("--improve " + text +
+                     ": give a whole number of rounds, or seconds above 0 with an s, as 30s");
+}
 
 }  // namespace
 
@@ -78,6 +96,16 @@ void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) 
   command
       .add_flag("--no-macrostep-skip", relaxation.no_macrostep_skip,
                 "Move seeds even if the score of their region did not change")
+      ->group(relaxation_group);
+  command
+      .add_option_function<std::string>(
+          "--improve",
+          [&relaxation](const std::string& text) {
+            relaxation.improvement = parse_improvement(text);
+          },
+          "Then leave the local minimum for a lower one: so many rounds, as 20,\n"
+          "or rounds for so many seconds, as 30s. The energy never rises")
+      ->type_name("ROUNDS|SECONDSs")
       ->group(relaxation_group);
   add_limit_options(command, relaxation);
 }
@@ -164,6 +192,15 @@ void check_seeds(const SeedArguments& seeds) {
   }
 }
 
+void check_same_course(const RelaxationArguments& relaxation) {
+  if (std::isfinite(relaxation.improvement.seconds)) {
+    throw InvalidInput(
+        "--improve with a limit in seconds: runs are compared, and each would end elsewhere: give "
+        "a "
+        "number of rounds");
+  }
+}
+
 namespace {
 
 // Of seeds from a file nobody knows how they were chosen.
@@ -176,7 +213,8 @@ GreedyMode greedy_mode(const SeedArguments& seeds, std::optional<GreedyMode> ask
 
 RelaxationOptions relaxation_options(const SeedArguments& seeds, const RelaxationArguments& a) {
   return {greedy_mode(seeds, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
-          a.max_greedy_steps, a.max_macrosteps};
+          a.max_greedy_steps,           a.max_macrosteps,     a.improvement.rounds,
+          a.improvement.seconds};
 }
 
 }  // namespace geolloyd

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -43,12 +44,19 @@ struct StartArguments {
   }
 };
 
+/// Which of both limits ends it; by default it takes no round.
+struct Improvement {
+  std::uint32_t rounds = 0;
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
 struct RelaxationArguments {
   std::optional<GreedyMode> greedy;  ///< empty: goes by how the first seeds are chosen
   bool no_microstep_skip = false;
   bool no_macrostep_skip = false;
   std::uint32_t max_greedy_steps = RelaxationOptions::no_limit;
   std::uint32_t max_macrosteps = RelaxationOptions::no_limit;
+  Improvement improvement;
 };
 
 struct EngineArguments {
@@ -106,6 +114,8 @@ void add_drop_option(CLI::App& command, bool& carries_properties);
 
 /// Throws InvalidInput where options contradict each other.
 void check_seeds(const SeedArguments& seeds);
+/// For runs that are to be alike. Throws InvalidInput where seconds limit the improvement.
+void check_same_course(const RelaxationArguments& relaxation);
 /// The options in force: --greedy auto goes by the seeds.
 RelaxationOptions relaxation_options(const SeedArguments& seeds,
                                      const RelaxationArguments& relaxation);

@@ -88,6 +88,7 @@ void run_compare(CompareArguments& arguments) {
   drop_repeats(arguments.frontiers);
   drop_repeats(arguments.backends);
   check_seeds(arguments.start.seeds);
+  check_same_course(arguments.relaxation);
   ProgressLine progress;
   const Start start = [&] {
     Scheduler scheduler;

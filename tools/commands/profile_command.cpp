@@ -145,6 +145,7 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
 void run_profile(ProfileArguments& arguments) {
   drop_repeats(arguments.engines);
   check_seeds(arguments.start.seeds);
+  check_same_course(arguments.relaxation);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
   const Start start = prepare(arguments.start, {}, scheduler, progress);

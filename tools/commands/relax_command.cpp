@@ -76,6 +76,9 @@ void print_relaxation(const Result& result, double hexagonal) {
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
+  if (steps.improvement > 0) {
+    fmt::print("  {:<12}{}\n", "improvement", counted(steps.improvement, "round", "rounds"));
+  }
   fmt::print(
       "  {:<12}{:.8g} -> {:.8g}{}\n", "energy", initial_energy(relaxation), relaxation.energy,
       hexagonal > 0
@@ -188,6 +191,9 @@ void run_relax(const RelaxArguments& arguments) {
   check_repair(arguments.start.repair, !arguments.start.seeds.file.empty()     ? "--seeds-file"
                                        : !arguments.start.graph.vfield.empty() ? "--vfield"
                                                                                : "");
+  if (!arguments.frames.empty() && arguments.relaxation.improvement.rounds > 0) {
+    throw InvalidInput("--frames and --improve exclude each other: a round is no single picture");
+  }
   lock_folder(arguments.output);  // where it is there: before the mesh is read
   check_checkpoint(arguments);
   const Stopwatch total;

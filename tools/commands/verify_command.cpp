@@ -64,6 +64,10 @@ void print_agreement(const Start& start, const Relaxation& relaxation, const Pai
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),
              counted(steps.micro, "microstep", "microsteps"));
+  if (steps.improvement > 0) {
+    fmt::print("  {:<12}in {} of improvement\n", "identical",
+               counted(steps.improvement, "round", "rounds"));
+  }
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(relaxation.fingerprint));
   print_times(pair.expected_seconds(), pair.tested_seconds(), scheduler);
 }

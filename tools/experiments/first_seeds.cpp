@@ -7,9 +7,9 @@
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_places.h"
-#include "core/seeds/seeds.h"
+#include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -47,13 +47,14 @@ std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
   options.kind = GraphKind::triangle;
   const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
   const Components components = connected_components(made.graph);
+  SchedulerRuntime runtime(scheduler);
   for (const std::size_t count : counts) {
     check_count(count, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= batches; ++batch) {
       FirstSeeds first{count, batch, {}};
       for (const NodeId s :
-           choose_seeds(made.graph, components, how.init, count, how.random_seed + batch - 1,
-                        *make_parallel_growing_search(scheduler, made.graph))) {
+           choose_first_seeds(mesh, edges.duplicates, made, components,
+                              {how.init, count, how.random_seed + batch - 1}, runtime)) {
         first.places.push_back(made.input_id[s]);
       }
       all.push_back(std::move(first));

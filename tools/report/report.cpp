@@ -34,7 +34,7 @@ Json trace_part(const Relaxation& relaxation) {
                   {"energy", step.energy},
                   {"state", fingerprint_text(step.state)},
                   {"kernel_seconds", kernel_seconds_part(step.seconds)}};
-    if (step.phase == Phase::precise) {
+    if (step.phase != Phase::greedy) {
       Json microsteps = Json::array();
       for (const Microstep& m : step.microsteps) {
         microsteps.push_back({{"seeds_moved", m.seeds_moved}, {"node_visits", m.node_visits}});

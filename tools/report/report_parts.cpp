@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 #include "tools/system/build_facts.h"
 #include "tools/system/machine.h"
 #include "tools/words/names.h"
@@ -92,11 +94,9 @@ Json graph_part(const Graph& graph, std::size_t components) {
 }
 
 Json steps_part(const StepCounts& counts) {
-  return {{"greedy", counts.greedy},
-          {"macro", counts.macro},
-          {"micro", counts.micro},
-          {"partitions", counts.partitions},
-          {"node_visits", counts.node_visits}};
+  return {{"greedy", counts.greedy},           {"macro", counts.macro},
+          {"improvement", counts.improvement}, {"micro", counts.micro},
+          {"partitions", counts.partitions},   {"node_visits", counts.node_visits}};
 }
 
 Json topology_part(const MeshTopology& topology) {
@@ -141,7 +141,11 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
           {"microstep_skip", options.microstep_skip},
           {"macrostep_skip", options.macrostep_skip},
           {"max_greedy_steps", limit(options.max_greedy_steps)},
-          {"max_macrosteps", limit(options.max_macrosteps)}};
+          {"max_macrosteps", limit(options.max_macrosteps)},
+          {"improvement_rounds", limit(options.improvement_rounds)},
+          {"improvement_seconds", std::isfinite(options.improvement_seconds)
+                                      ? Json(options.improvement_seconds)
+                                      : Json(nullptr)}};
 }
 
 Json frontier_part(EngineKind engine, Frontier frontier) {
@@ -170,10 +174,26 @@ double initial_energy(const Relaxation& relaxation) {
   return relaxation.steps.empty() ? relaxation.energy : relaxation.steps.front().energy;
 }
 
+namespace {
+
+std::size_t& count_of(Phase phase, StepCounts& counts) {
+  switch (phase) {
+    case Phase::greedy:
+      return counts.greedy;
+    case Phase::precise:
+      return counts.macro;
+    case Phase::improvement:
+      break;
+  }
+  return counts.improvement;
+}
+
+}  // namespace
+
 StepCounts count_steps(const Relaxation& relaxation) {
   StepCounts counts;
   for (const Step& step : relaxation.steps) {
-    ++(step.phase == Phase::greedy ? counts.greedy : counts.macro);
+    ++count_of(step.phase, counts);
     ++counts.partitions;
     counts.micro += step.microsteps.size();
     for (const Microstep& m : step.microsteps) counts.partitions += m.node_visits > 0 ? 1 : 0;

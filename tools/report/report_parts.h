@@ -52,7 +52,8 @@ double initial_energy(const Relaxation& relaxation);
 /// Sums over the steps of a trace.
 struct StepCounts {
   std::size_t greedy = 0;
-  std::size_t macro = 0;
+  std::size_t macro = 0;        ///< of the precise phase
+  std::size_t improvement = 0;  ///< rounds
   std::size_t micro = 0;
   std::size_t partitions = 0;  ///< searches, regions free and locked
   std::uint64_t node_visits = 0;

@@ -141,7 +141,7 @@ std::vector<Microstep> microsteps_in(const FlatMap& map) {
   return microsteps;
 }
 
-// Greedy ones first.
+// Greedy ones first, and rounds of improvement after the others.
 std::vector<Step> steps_in(const FlatMap& map, const Graph& graph) {
   const auto phase = numbers_in<std::uint8_t>(map, "step.phase");
   const auto seeds_moved = numbers_in<std::uint32_t>(map, "step.seeds_moved");
@@ -155,7 +155,8 @@ std::vector<Step> steps_in(const FlatMap& map, const Graph& graph) {
   require(seeds_moved.size() == size && node_visits.size() == size && score.size() == size &&
           state.size() == size && count.size() == size && seconds.size() == kernels.size() * size);
   require(std::is_sorted(phase.begin(), phase.end()) &&
-          (phase.empty() || phase.back() <= static_cast<std::uint8_t>(Phase::precise)));
+          (phase.empty() || (phase.front() < static_cast<std::uint8_t>(Phase::improvement) &&
+                             phase.back() <= static_cast<std::uint8_t>(Phase::improvement))));
   std::vector<Step> steps(size);
   auto next = microsteps.begin();
   for (std::size_t i = 0; i < size; ++i) {
@@ -177,24 +178,32 @@ bool are_different(std::vector<NodeId> nodes) {
   return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
 }
 
-// What seeds can become of the first ones: different nodes, each in the component it began in.
+// What seeds can become of the first ones: different nodes, each in the component it began in, or,
+// if rounds of improvement may have moved them, some in each component.
 void check_seeds(const Graph& graph, const Components& components, const std::vector<NodeId>& first,
-                 const std::vector<NodeId>& seeds) {
+                 const std::vector<NodeId>& seeds, bool may_leave) {
   require(seeds.size() == first.size());
+  std::vector<bool> has_seed(components.size(), false);
   for (std::size_t r = 0; r < seeds.size(); ++r) {
-    require(seeds[r] < graph.node_count() &&
-            components.component_of[seeds[r]] == components.component_of[first[r]]);
+    require(seeds[r] < graph.node_count());
+    const std::uint32_t component = components.component_of[seeds[r]];
+    require(may_leave || component == components.component_of[first[r]]);
+    has_seed[component] = true;
   }
+  require(std::find(has_seed.begin(), has_seed.end(), false) == has_seed.end());
   require(are_different(seeds));
 }
 
 void check_state(const Graph& graph, const std::vector<NodeId>& first,
                  const RelaxationState& state) {
   const Components components = connected_components(graph);
-  check_seeds(graph, components, first, state.seeds);
-  if (!state.best_seeds.empty()) check_seeds(graph, components, first, state.best_seeds);
+  const bool may_leave = !state.steps.empty() && state.steps.back().phase == Phase::improvement;
+  check_seeds(graph, components, first, state.seeds, may_leave);
+  if (!state.best_seeds.empty()) {
+    check_seeds(graph, components, first, state.best_seeds, may_leave);
+  }
   require(state.steps.empty() || !state.best_seeds.empty());
-  const bool is_precise = !state.steps.empty() && state.steps.back().phase == Phase::precise;
+  const bool is_precise = !state.steps.empty() && state.steps.back().phase != Phase::greedy;
   require(state.last_scores.size() == (is_precise ? first.size() : 0));
 }
 

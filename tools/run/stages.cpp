@@ -11,9 +11,9 @@
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/properties.h"
 #include "core/seeds/seed_file.h"
-#include "core/seeds/seeds.h"
+#include "core/start/first_seeds.h"
 #include "core/text/file_io.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
 #include "tools/system/memory_estimate.h"
@@ -42,6 +42,9 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
+  size.has_coarse_graph = purpose.init == SeedInit::coarse;
+  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
+  if (purpose.init == SeedInit::surface) size.fine_vertices = size.vertices + 10 * size.seeds;
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
   }
@@ -50,14 +53,14 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
 
 // `text` is that of the seeds file, if there is one.
 std::vector<NodeId> first_seeds(const SeedArguments& arguments, const std::string& text,
-                                const MeshGraph& mesh_graph, const Components& components,
-                                Scheduler& scheduler) {
+                                const Start& start, std::span<const TriangleId> duplicates,
+                                const Components& components, Scheduler& scheduler) {
   if (!arguments.file.empty()) {
-    return parse_seeds(text, arguments.file.string(), mesh_graph, components);
+    return parse_seeds(text, arguments.file.string(), start.mesh_graph, components);
   }
-  const Graph& graph = mesh_graph.graph;
-  return choose_seeds(graph, components, arguments.init, arguments.count, arguments.random_seed,
-                      *make_parallel_growing_search(scheduler, graph));
+  SchedulerRuntime runtime(scheduler);
+  return choose_first_seeds(start.input.mesh(), duplicates, start.mesh_graph, components,
+                            {arguments.init, arguments.count, arguments.random_seed}, runtime);
 }
 
 }  // namespace
@@ -83,10 +86,12 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loade
   return built;
 }
 
-Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
               ProgressLine& progress) {
+  if (arguments.seeds.file.empty()) purpose.init = arguments.seeds.init;
   Start start;
   std::string seeds_text;
+  std::vector<TriangleId> duplicates;
   progress.stage("reading " + arguments.mesh.string());
   {
     LoadedInput loaded =
@@ -99,6 +104,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
                     seeds.file.empty() ? seeds.count : most_seeds(seeds_text), purpose, scheduler);
     start.input = std::move(loaded.input);
     start.mesh_graph = std::move(built.mesh_graph);
+    duplicates = std::move(loaded.edges.duplicates);
     start.memory_estimate = built.memory_estimate;
     start.seconds.load = loaded.seconds;
     start.seconds.graph = loaded.edge_seconds + built.seconds;
@@ -107,7 +113,7 @@ Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler
   const Stopwatch watch;
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
-  start.seeds = first_seeds(arguments.seeds, seeds_text, start.mesh_graph, components, scheduler);
+  start.seeds = first_seeds(arguments.seeds, seeds_text, start, duplicates, components, scheduler);
   start.seconds.seeds = watch.seconds();
   return start;
 }

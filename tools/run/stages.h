@@ -25,6 +25,7 @@ struct Purpose {
   EngineKind engine = EngineKind::parallel;
   bool has_ground_truth = false;            ///< of the result or of the remesh
   std::optional<PictureArguments> picture;  ///< empty: none is drawn
+  SeedInit init = SeedInit::farthest;       ///< prepare() knows
 };
 
 /// A graph of a mesh.
@@ -55,7 +56,7 @@ struct Start {
 };
 
 /// Reads the mesh, builds its graph, and chooses or reads the first seeds.
-Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
               ProgressLine& progress);
 
 /// A partition and the parallel engine that has just found it.

@@ -67,9 +67,15 @@ Bytes engine_bytes(const RunSize& s) {
          100 * s.nodes / std::max<Bytes>(s.seeds, 1);
 }
 
-// Components, samplers, keys.
+// Measured: 280 to 310 bytes for a vertex of the surface, with coarse meshes, labels and dual.
+constexpr Bytes moving_sites(Bytes fine_vertices) {
+  return 320 * fine_vertices;
+}
+
+// Components, samplers, keys; and sites on a surface, or an engine and the arcs of a coarse graph.
 Bytes choosing_seeds(const RunSize& s) {
-  return 52 * s.nodes;
+  const Bytes coarse = s.has_coarse_graph ? engine_bytes(s) + 24 * s.links : 0;
+  return 52 * s.nodes + std::max(moving_sites(s.fine_vertices), coarse);
 }
 
 Bytes points(const RunSize& s) {
@@ -148,9 +154,8 @@ Bytes memory_to_run(const RunSize& s) {
 }
 
 Bytes memory_to_remesh(const RemeshSize& s) {
-  // Measured: 280 to 310 bytes for a vertex of the surface, with coarse meshes, labels and dual;
-  // and some 1600 for a site: the last steps that it took, and what fits it to the surface.
-  const Bytes moving = 320 * s.fine_vertices + 1700 * s.remesh_vertices;
+  // Measured: some 1600 for a site: the last steps that it took, and what fits it to the surface.
+  const Bytes moving = moving_sites(s.fine_vertices) + 1700 * s.remesh_vertices;
   const Bytes vertices = s.remesh_vertices;
   const Bytes judging = scene_of_points(2 * vertices) + finding_edges(vertices, 2 * vertices);
   const Bytes picture = s.samples > 0 ? drawing(vertices, 2 * vertices, s.samples) : 0;

@@ -14,11 +14,13 @@ struct RunSize {
   std::uint64_t links = 0;  ///< arcs in one direction, before repeated ones go
   std::uint64_t seeds = 0;
   std::uint64_t samples = 0;         ///< rays of a picture
+  std::uint64_t fine_vertices = 0;   ///< of the surface on which the first seeds come to rest
   std::uint64_t property_bytes = 0;  ///< of colours, labels and so on that are carried
   std::size_t threads = 1;
   bool has_triangle_nodes = false;  ///< of the graph
   bool has_field = false;
   bool is_reference = false;      ///< the engine
+  bool has_coarse_graph = false;  ///< on which the first seeds come to rest
   bool has_ground_truth = false;  ///< for the result or for the remesh
 };
 

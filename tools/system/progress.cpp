@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "tools/words/names.h"
+
 namespace geolloyd {
 namespace {
 
@@ -29,9 +31,8 @@ void ProgressLine::stage(const std::string& what) {
 
 void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
   if (!is_due()) return;
-  const bool greedy = progress.phase == Phase::greedy;
   print(fmt::format("{:<7} {:<4} [{}] {:>6} of {} moving  energy {:.5g}  {:.0f} s",
-                    greedy ? "greedy" : "precise", progress.step,
+                    name_of(phase_names, progress.phase), progress.step,
                     bar(progress.seeds_moving, seed_count), progress.seeds_moving, seed_count,
                     progress.energy, watch_.seconds()));
 }

@@ -39,10 +39,9 @@ const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names = {
 };
 
 const std::vector<Named<SeedInit>> seed_init_names = {
-    {"farthest", SeedInit::farthest},
-    {"kmeans++", SeedInit::kmeans_plus_plus},
-    {"random-area", SeedInit::random_area},
-    {"random", SeedInit::random},
+    {"farthest", SeedInit::farthest},       {"kmeans++", SeedInit::kmeans_plus_plus},
+    {"random-area", SeedInit::random_area}, {"random", SeedInit::random},
+    {"surface", SeedInit::surface},         {"coarse", SeedInit::coarse},
 };
 
 const std::vector<Named<StopReason>> stop_reason_names = {
@@ -67,6 +66,7 @@ const std::vector<Named<Backend>> backend_names = {
 const std::vector<Named<Phase>> phase_names = {
     {"greedy", Phase::greedy},
     {"precise", Phase::precise},
+    {"improvement", Phase::improvement},
 };
 
 const std::vector<Named<RemeshVertices>> remesh_vertices_names = {

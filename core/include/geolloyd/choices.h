@@ -37,6 +37,8 @@ enum class SeedInit {
   farthest,          ///< each the node farthest from all before it (Gonzalez 1985)
   kmeans_plus_plus,  ///< with chances by mass * distance^2 to those before (Arthur, Vassilvitskii
                      ///< 2007)
+  surface,           ///< near sites that have come to rest on the surface, as those of a remesh do
+  coarse,            ///< where seeds come to rest on a coarser graph of the same metric
 };
 
 /// The greedy phase: left out, or with the standard or the extended heuristic (thesis; formulas in
@@ -48,10 +50,13 @@ enum class GreedyMode { off, standard, extended };
 /// takes time and raises the energy more often than it lowers it; from the other seeds it nearly
 /// always lowers it (bench/README.md, "When the greedy phase pays").
 constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
-  return init == SeedInit::farthest ? GreedyMode::off : GreedyMode::extended;
+  const bool is_even =
+      init == SeedInit::farthest || init == SeedInit::surface || init == SeedInit::coarse;
+  return is_even ? GreedyMode::off : GreedyMode::extended;
 }
 
-enum class Phase { greedy, precise };
+/// Greedy steps, macrosteps, then rounds of improvement.
+enum class Phase { greedy, precise, improvement };
 
 /// Why a relaxation ended.
 enum class StopReason {
@@ -61,8 +66,8 @@ enum class StopReason {
   recurred      ///< the seeds came back to an earlier state, or 100 macrosteps lowered no energy
 };
 
-/// Where a relaxation stands. Reported after each greedy step, and now and then during a macrostep
-/// of the precise phase.
+/// Where a relaxation stands. Reported after each greedy step, and now and then during a
+/// macrostep.
 struct Progress {
   Phase phase;
   std::uint32_t step;  ///< counts from 1 in each phase

@@ -28,6 +28,7 @@ struct TessellateOptions {
       greedy;  ///< none: the mode suggested for `init` (suggested_greedy_mode)
   std::uint32_t max_greedy_steps = no_id;
   std::uint32_t max_macrosteps = no_id;
+  std::uint32_t improvement_rounds = 0;  ///< leave the local minimum for a lower one
   ProgressCallback progress;
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/base/executor.h"
+#include "core/mesh/mesh.h"
+#include "core/surface/patches.h"
+#include "core/surface/site_levels.h"
+#include "core/surface/surface_engine.h"
+#include "core/surface/surface_input.h"
+
+namespace geolloyd {
+
+/// Sites that have come to rest on the surface of a mesh, and that surface: its features are no
+/// features to them, its boundary is.
+struct SurfaceStart {
+  std::unique_ptr<const SurfaceInput> whole;
+  std::unique_ptr<const DividedSurface> divided;
+  RestingSites resting;  ///< on the fine mesh
+
+  [[nodiscard]] const SurfaceInput& input() const { return *whole; }
+  [[nodiscard]] const DividedSurface& surface() const { return *divided; }
+};
+
+/// How fine the surface for so many sites is: each cell has some vertices.
+SurfaceInputOptions surface_options(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                    double area, std::size_t sites);
+
+/// The mesh has an area. There are `sites` of them, or the least that its parts need.
+SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                double area, std::size_t sites,
+                                const MakeSurfaceEngine& make_engine,
+                                Executor& executor = sequential());
+
+}  // namespace geolloyd

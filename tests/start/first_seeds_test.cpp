@@ -1,0 +1,129 @@
+// First seeds that need more than the graph: near sites of the surface, and from a coarser graph.
+#include "core/start/first_seeds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/lloyd/relaxation.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/shapes/shapes.h"
+#include "geolloyd/errors.h"
+#include "geolloyd/threads.h"
+#include "tests/support/graph_kinds.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::array new_ways = {SeedInit::surface, SeedInit::coarse};
+
+struct Chosen {
+  MeshGraph made;
+  std::vector<NodeId> seeds;
+};
+
+Chosen choose(const Mesh& mesh, GraphKind kind, SeedInit init, std::size_t count,
+              Runtime& runtime) {
+  const MeshEdges edges = find_edges(mesh);
+  Chosen chosen{make_mesh_graph(mesh, edges, {kind, {}, {}}), {}};
+  chosen.seeds =
+      choose_first_seeds(mesh, edges.duplicates, chosen.made,
+                         connected_components(chosen.made.graph), {init, count, 1}, runtime);
+  return chosen;
+}
+
+void expect_usable(const Chosen& chosen, std::size_t count) {
+  EXPECT_EQ(chosen.seeds.size(), count);
+  const std::set<NodeId> different(chosen.seeds.begin(), chosen.seeds.end());
+  EXPECT_EQ(different.size(), count);
+  EXPECT_LT(*different.rbegin(), chosen.made.graph.node_count());
+  const Components components = connected_components(chosen.made.graph);
+  std::set<std::uint32_t> with_seed;
+  for (const NodeId s : chosen.seeds) with_seed.insert(components.component_of[s]);
+  EXPECT_EQ(with_seed.size(), components.size());
+}
+
+double energy_from(const Chosen& chosen, Runtime& runtime) {
+  const Graph& graph = chosen.made.graph;
+  RelaxationOptions options;
+  options.greedy = GreedyMode::off;
+  return relax(graph, *runtime.make_engine(graph), chosen.seeds, options).energy;
+}
+
+TEST(FirstSeeds, AreAsManyAsAskedForOnGraphsOfEachKind) {
+  Threads threads(2);
+  const Mesh mesh = torus(1000, 1);
+  for (const GraphKind kind : all_kinds) {
+    for (const SeedInit init : new_ways) {
+      for (const std::size_t count : {1U, 2U, 4U, 30U, 450U}) {
+        SCOPED_TRACE(testing::Message() << int(kind) << " " << int(init) << " " << count);
+        expect_usable(choose(mesh, kind, init, count, threads), count);
+      }
+    }
+  }
+}
+
+TEST(FirstSeeds, AreTheSameWithAnyRuntime) {
+  const Mesh mesh = creature(18000, 1);
+  for (const SeedInit init : new_ways) {
+    const auto expected = choose(mesh, GraphKind::vertex, init, 60, reference_runtime()).seeds;
+    for (const std::size_t count : {1U, 3U}) {
+      Threads threads(count);
+      EXPECT_EQ(choose(mesh, GraphKind::vertex, init, 60, threads).seeds, expected);
+    }
+  }
+}
+
+TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {
+  Threads threads(2);
+  const Mesh mesh = creature(60000, 1);
+  for (const SeedInit init : new_ways) {
+    double sum = 0;
+    double of_farthest = 0;
+    for (const std::size_t count : {50U, 100U, 200U}) {
+      sum += energy_from(choose(mesh, GraphKind::vertex, init, count, threads), threads);
+      of_farthest +=
+          energy_from(choose(mesh, GraphKind::vertex, SeedInit::farthest, count, threads), threads);
+    }
+    EXPECT_LT(sum, of_farthest) << int(init);
+  }
+}
+
+// Three parts, one of them a triangle, and an area of 0 in another.
+Mesh in_parts() {
+  Mesh mesh = icosphere(2000);
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<VertexId>(mesh.positions.size());
+    for (const Vec3& p : {a, b, c}) mesh.positions.push_back(p);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  add({5, 0, 0}, {6, 0, 0}, {5, 1, 0});
+  add({9, 0, 0}, {9, 0, 0}, {9, 1, 0});
+  return mesh;
+}
+
+TEST(FirstSeeds, AreInEachPartAndFillAllNodes) {
+  Threads threads(2);
+  for (const SeedInit init : new_ways) {
+    const std::size_t nodes =
+        choose(in_parts(), GraphKind::vertex, init, 3, threads).made.graph.node_count();
+    for (const std::size_t count : {std::size_t{3}, std::size_t{40}, nodes - 1, nodes}) {
+      SCOPED_TRACE(testing::Message() << int(init) << " " << count);
+      expect_usable(choose(in_parts(), GraphKind::vertex, init, count, threads), count);
+    }
+    EXPECT_THROW(choose(in_parts(), GraphKind::vertex, init, 2, threads), InvalidInput);
+    EXPECT_THROW(choose(in_parts(), GraphKind::vertex, init, nodes + 1, threads), InvalidInput);
+  }
+}
+
+TEST(FirstSeeds, OfAMeshWithoutAreaAreFarthestPoints) {
+  Mesh mesh = irregular_plane(100, 1);
+  for (Vec3& p : mesh.positions) p = {p.x(), 0, 0};
+  for (const SeedInit init : new_ways) {
+    expect_usable(choose(mesh, GraphKind::vertex, init, 10, reference_runtime()), 10);
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd
