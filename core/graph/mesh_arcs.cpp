@@ -20,19 +20,21 @@ struct ArcEnd {
 // Length of a way from a to b whose isotropic length is known: its displacement is taken as the
 // chord's direction with that length. A way between two places that coincide in space (a closed
 // fold) has no direction, and keeps its isotropic length.
-double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic, Norm norm_kind) {
+double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic,
+                        const MeshGraphOptions& options) {
   const bool in_field = a.space != nullptr && b.space != nullptr;
-  if (!in_field && norm_kind == Norm::geodesic) return isotropic;
+  if (!in_field && options.norm == Norm::geodesic) return isotropic;
   const Vec3 chord = b.position - a.position;
   const double chord_length = norm(chord);
   if (chord_length == 0) return isotropic;
   const Vec3 displacement = chord * (isotropic / chord_length);
-  return in_field ? measure(displacement, average(*a.space, *b.space), norm_kind)
-                  : measure(displacement, norm_kind);
+  return in_field
+             ? measure(displacement, average(*a.space, *b.space, options.averaging), options.norm)
+             : measure(displacement, options.norm);
 }
 
-double straight_length(const ArcEnd& a, const ArcEnd& b, Norm norm_kind) {
-  return length_in_metric(a, b, norm(b.position - a.position), norm_kind);
+double straight_length(const ArcEnd& a, const ArcEnd& b, const MeshGraphOptions& options) {
+  return length_in_metric(a, b, norm(b.position - a.position), options);
 }
 
 // Pairs of `count` things.
@@ -48,7 +50,7 @@ class ArcBuilder {
     if (has_triangles(options.kind) && !options.vertex_space.empty()) {
       triangle_space_.resize(mesh.triangle_count());
       parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-        triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space);
+        triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space, options.averaging);
       });
     }
   }
@@ -101,7 +103,7 @@ class ArcBuilder {
   void put_along(std::size_t edge, UndirectedArc* arc) const {
     const ArcEnd a = vertex(edges_.ends[edge][0]);
     const ArcEnd b = vertex(edges_.ends[edge][1]);
-    *arc = {a.node, b.node, straight_length(a, b, options_.norm)};
+    *arc = {a.node, b.node, straight_length(a, b, options_)};
   }
 
   // The other end of a way across the edge opposite to a corner.
@@ -119,14 +121,14 @@ class ArcBuilder {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
         const ArcEnd b = beyond(corners[j]);
         const double isotropic = unfolded_distance(a.position, b.position, e0, e1);
-        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, options_.norm)};
+        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, options_)};
       }
     }
   }
 
   [[nodiscard]] double leg(CornerId corner) const {
     return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)),
-                           options_.norm);
+                           options_);
   }
 
   void find_fans() {

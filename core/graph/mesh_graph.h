@@ -40,6 +40,7 @@ struct MeshGraphOptions {
   GraphKind kind = GraphKind::vertex;
   Norm norm = Norm::geodesic;
   std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
+  Averaging averaging = Averaging::pairwise;  ///< of spaces; other norms than geodesic need this
 };
 
 /// Number of arcs, in one direction, before those between the same two nodes become one. Many
