@@ -52,9 +52,11 @@ std::vector<Case> cases(double edge) {
       {"4 : 1, turning by 60° an edge", turning(60)},
       {"one magnitude linear, 1 to 16",
        [](const Vec3& p) { return at_angle(0.3, 1 + 15 * (p.x() + 0.5), 1); }},
-      {"one magnitude doubled every 4 edges, 1 to 16",
+      {"one magnitude doubled every 4 edges",
+       [=](const Vec3& p) { return at_angle(0.3, std::exp2(p.x() / (4 * edge)), 1); }},
+      {"one magnitude 0.4 to 2.5 within 3 edges, turning by 5°",
        [=](const Vec3& p) {
-         return at_angle(0.3, std::exp2(std::fmod(p.x() + 0.5, 16 * edge) / (4 * edge)), 1);
+         return at_angle(p.x() / edge * 5 * pi / 180, std::exp2(std::sin(p.x() / edge) * 1.3), 1);
        }},
       {"4 : 1 around a point (index 1)", [=](const Vec3& p) { return at_angle(angle(p), 4, 1); }},
       {"4 : 1, index 1/2", [=](const Vec3& p) { return at_angle(angle(p) / 2, 4, 1); }},

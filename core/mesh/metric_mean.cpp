@@ -1,11 +1,11 @@
 #include "core/mesh/metric_mean.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 
-#include "core/base/root.h"
 #include "core/base/vec3.h"
 #include "core/mesh/principal_direction.h"
 #include "core/mesh/tangent_plane.h"
@@ -14,11 +14,6 @@ namespace geolloyd {
 namespace {
 
 constexpr std::size_t most_spaces = 4;
-
-// The root of the determinant.
-double density(const TangentSpace& s) {
-  return s.tangent_magnitude * s.bitangent_magnitude * norm(cross(s.tangent, s.bitangent));
-}
 
 // Normals of planes have no sign: of the sums with all signs, the longest (the first of several).
 Vec3 mean_normal(std::span<const Vec3> normals) {
@@ -34,45 +29,55 @@ Vec3 mean_normal(std::span<const Vec3> normals) {
   return normalized(longest);
 }
 
-// A sum of forms (v . d)^2 of vectors v in a plane.
-class SumOfSquares {
+// The mean of symmetric matrices (size + p, q; q, size - p) in a plane.
+class RootMean {
  public:
-  void add(double x, double y) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const double area = x_[i] * y - y_[i] * x;
-      determinant_ += area * area;
+  explicit RootMean(const PlaneAxes& axes) : axes_(axes) {}
+
+  // The root of M is (M + r I) / sqrt(trace M + 2 r) with r = sqrt(det M).
+  void add(const TangentSpace& s, const Vec3& tangent, const Vec3& bitangent) {
+    double trace = 0;
+    double p = 0;
+    double q = 0;
+    for (const Vec3& v :
+         {Vec3(s.tangent_magnitude * tangent), Vec3(s.bitangent_magnitude * bitangent)}) {
+      const double x = dot(v, axes_.first);
+      const double y = dot(v, axes_.second);
+      trace += x * x + y * y;
+      p += (x * x - y * y) / 2;
+      q += x * y;
     }
-    x_[count_] = x;
-    y_[count_] = y;
-    ++count_;
-    p_ += (x * x - y * y) / 2;
-    q_ += x * y;
-    half_trace_ += (x * x + y * y) / 2;
+    const double root = s.tangent_magnitude * s.bitangent_magnitude * norm(cross(tangent, bitangent));
+    const double doubled_size = std::sqrt(trace + 2 * root);
+    if (!(doubled_size > 0)) return;
+    size_ += doubled_size / 2;
+    p_ += p / doubled_size;
+    q_ += q / doubled_size;
+    stretch_ += std::sqrt(p * p + q * q) / doubled_size;
   }
 
-  /// By Cauchy and Binet, the sum of the squares of all pairs' areas.
-  [[nodiscard]] double determinant() const { return determinant_; }
-  [[nodiscard]] double largest() const { return half_trace_ + std::sqrt(p_ * p_ + q_ * q_); }
-  [[nodiscard]] std::array<double, 2> direction() const { return principal_direction(p_, q_); }
+  [[nodiscard]] TangentSpace of(std::size_t count) const {
+    const double together = std::sqrt(p_ * p_ + q_ * q_);
+    const double stretch = stretch_ > 0 ? together * (2 - together / stretch_) : 0;
+    const auto [cosine, sine] = principal_direction(p_, q_);
+    const auto number = static_cast<double>(count);
+    return {cosine * axes_.first + sine * axes_.second, cosine * axes_.second - sine * axes_.first,
+            (size_ + stretch) / number, std::max(0.0, size_ - stretch) / number};
+  }
 
  private:
-  std::array<double, 2 * most_spaces> x_{};
-  std::array<double, 2 * most_spaces> y_{};
-  std::size_t count_ = 0;
-  double determinant_ = 0;
+  PlaneAxes axes_;
+  double size_ = 0;
   double p_ = 0;
   double q_ = 0;
-  double half_trace_ = 0;
+  double stretch_ = 0;  // all there would be of p and q if all directions were the same
 };
 
 }  // namespace
 
-bool is_metric(const TangentSpace& s) {
-  constexpr double smallest_share = 1e-12;
-  const double largest =
-      s.tangent_magnitude > s.bitangent_magnitude ? s.tangent_magnitude : s.bitangent_magnitude;
-  const double found = density(s);
-  return found > 0 && found >= smallest_share * largest * largest;
+bool has_plane(const TangentSpace& s) {
+  constexpr double smallest_sine = 1e-6;
+  return norm(cross(s.tangent, s.bitangent)) >= smallest_sine;
 }
 
 TangentSpace metric_mean(std::span<const TangentSpace> spaces) {
@@ -82,27 +87,13 @@ TangentSpace metric_mean(std::span<const TangentSpace> spaces) {
     normals[i] = normalized(cross(spaces[i].tangent, spaces[i].bitangent));
   }
   const Vec3 normal = mean_normal({normals.data(), spaces.size()});
-  const auto [first, second] = plane_axes(normal);
-
-  SumOfSquares shapes;
-  double mean_density = 1;
+  RootMean mean(plane_axes(normal));
   for (std::size_t i = 0; i < spaces.size(); ++i) {
-    const TangentSpace& s = spaces[i];
     const Vec3 from = dot(normals[i], normal) < 0 ? Vec3(-normals[i]) : normals[i];
-    const double own_density = density(s);
-    const double scale = std::sqrt(own_density);
-    for (const Vec3& v : {Vec3(s.tangent * (s.tangent_magnitude / scale)),
-                          Vec3(s.bitangent * (s.bitangent_magnitude / scale))}) {
-      const Vec3 turned = transported(v, from, normal);
-      shapes.add(dot(turned, first), dot(turned, second));
-    }
-    mean_density *= root(own_density, static_cast<int>(spaces.size()));
+    mean.add(spaces[i], transported(spaces[i].tangent, from, normal),
+             transported(spaces[i].bitangent, from, normal));
   }
-
-  const auto [cosine, sine] = shapes.direction();
-  const double stretch = shapes.largest() / std::sqrt(shapes.determinant());
-  return {cosine * first + sine * second, cosine * second - sine * first,
-          std::sqrt(mean_density * stretch), std::sqrt(mean_density / stretch)};
+  return mean.of(spaces.size());
 }
 
 }  // namespace geolloyd

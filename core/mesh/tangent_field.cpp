@@ -37,15 +37,15 @@ TangentSpace average_of_pair(const TangentSpace& a, const TangentSpace& b) {
 }  // namespace
 
 TangentSpace average(const TangentSpace& a, const TangentSpace& b, Averaging averaging) {
-  const bool are_metrics = averaging == Averaging::metric && is_metric(a) && is_metric(b);
-  return are_metrics ? metric_mean(std::array{a, b}) : average_of_pair(a, b);
+  const bool as_metrics = averaging == Averaging::metric && has_plane(a) && has_plane(b);
+  return as_metrics ? metric_mean(std::array{a, b}) : average_of_pair(a, b);
 }
 
 TangentSpace triangle_space(const Triangle& triangle, const std::vector<TangentSpace>& vertex_space,
                             Averaging averaging) {
   const std::array spaces = {vertex_space[triangle[0]], vertex_space[triangle[1]],
                              vertex_space[triangle[2]]};
-  if (averaging == Averaging::metric && std::all_of(spaces.begin(), spaces.end(), is_metric)) {
+  if (averaging == Averaging::metric && std::all_of(spaces.begin(), spaces.end(), has_plane)) {
     return metric_mean(spaces);
   }
   return average_of_pair(average_of_pair(spaces[0], spaces[1]), spaces[2]);

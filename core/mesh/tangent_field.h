@@ -11,7 +11,7 @@ namespace geolloyd {
 /// all the same metric, the one whose directions are nearest to those of `a` (the first where
 /// several are) is averaged with it, each magnitude following its direction. Symmetric as a metric
 /// (thesis, section on anisotropy; mirror images, for fields of mixed handedness, are ours). As
-/// metrics: metric_mean.h, or by pairs where one is no metric.
+/// metrics: metric_mean.h, or by pairs where the directions of one span no plane.
 TangentSpace average(const TangentSpace& a, const TangentSpace& b, Averaging averaging);
 
 /// Space of a triangle: by pairs, the average of its first two vertices' with the third's; as

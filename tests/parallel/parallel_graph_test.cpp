@@ -84,6 +84,7 @@ std::vector<MeshGraphOptions> all_options(const Mesh& mesh) {
       all.push_back({kind, norm_kind, {}});
       all.push_back({kind, norm_kind, swirl(mesh)});
     }
+    all.push_back({kind, Norm::geodesic, swirl(mesh), Averaging::pairwise});
   }
   return all;
 }

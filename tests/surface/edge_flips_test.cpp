@@ -14,6 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "tests/support/random_graph.h"
+#include "tests/support/surface.h"
 
 namespace geolloyd {
 namespace {

@@ -27,6 +27,10 @@ struct Purpose {
   std::optional<PictureArguments> picture;  ///< empty: none is drawn
 };
 
+/// The tangent field that is asked for: none, that of a file, or the surface's own.
+std::vector<TangentSpace> find_field(const GraphArguments& arguments, const Mesh& mesh,
+                                     const MeshEdges& edges, Executor& executor);
+
 /// A graph of a mesh.
 struct BuiltGraph {
   MeshGraph mesh_graph;

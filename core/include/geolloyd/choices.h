@@ -36,6 +36,11 @@ enum class Averaging {
   metric,    ///< as metrics, any number at once (core/mesh/metric_mean.h); for the geodesic norm
 };
 
+/// Other norms depend on the directions, which a metric may not have.
+constexpr Averaging suggested_averaging(Norm norm) {
+  return norm == Norm::geodesic ? Averaging::metric : Averaging::pairwise;
+}
+
 /// How the first seeds are chosen.
 enum class SeedInit {
   random,            ///< uniformly over nodes (the thesis)
