@@ -34,17 +34,15 @@ Measure measure_of(const MeshGraphOptions& options) {
 // Length of a way from a to b whose isotropic length is known: its displacement is taken as the
 // chord's direction with that length. A way between two places that coincide in space (a closed
 // fold) has no direction, and keeps its isotropic length.
-double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic,
-                        const Measure& by) {
+double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic, const Measure& by) {
   const bool in_field = a.space != nullptr && b.space != nullptr;
   if (!in_field && by.norm == Norm::geodesic) return isotropic;
   const Vec3 chord = b.position - a.position;
   const double chord_length = norm(chord);
   if (chord_length == 0) return isotropic;
   const Vec3 displacement = chord * (isotropic / chord_length);
-  return in_field
-             ? measure(displacement, average(*a.space, *b.space, by.averaging), by.norm)
-             : measure(displacement, by.norm);
+  return in_field ? measure(displacement, average(*a.space, *b.space, by.averaging), by.norm)
+                  : measure(displacement, by.norm);
 }
 
 double straight_length(const ArcEnd& a, const ArcEnd& b, const Measure& by) {
@@ -60,11 +58,17 @@ class ArcBuilder {
  public:
   ArcBuilder(Executor& executor, const Mesh& mesh, const MeshEdges& edges,
              const MeshGraphOptions& options, const MeshGraph& target)
-      : executor_(executor), mesh_(mesh), edges_(edges), options_(options), measure_(measure_of(options)), target_(target) {
+      : executor_(executor),
+        mesh_(mesh),
+        edges_(edges),
+        options_(options),
+        measure_(measure_of(options)),
+        target_(target) {
     if (has_triangles(options.kind) && !options.vertex_space.empty()) {
       triangle_space_.resize(mesh.triangle_count());
       parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-        triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space, measure_.averaging);
+        triangle_space_[t] =
+            triangle_space(mesh.triangles[t], options.vertex_space, measure_.averaging);
       });
     }
   }
@@ -141,8 +145,7 @@ class ArcBuilder {
   }
 
   [[nodiscard]] double leg(CornerId corner) const {
-    return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)),
-                           measure_);
+    return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)), measure_);
   }
 
   void find_fans() {

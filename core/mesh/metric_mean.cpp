@@ -47,7 +47,8 @@ class RootMean {
       p += (x * x - y * y) / 2;
       q += x * y;
     }
-    const double root = s.tangent_magnitude * s.bitangent_magnitude * norm(cross(tangent, bitangent));
+    const double root =
+        s.tangent_magnitude * s.bitangent_magnitude * norm(cross(tangent, bitangent));
     const double doubled_size = std::sqrt(trace + 2 * root);
     if (!(doubled_size > 0)) return;
     size_ += doubled_size / 2;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "core/base/random.h"
@@ -62,16 +65,14 @@ void expect_sound(const Mesh& mesh, const std::vector<TangentSpace>& field) {
   EXPECT_NEAR(in_metric / whole, 1, 1e-9);
 }
 
-// The largest over vertices that are not `left_out`, in degrees, of the angle between the first
-// direction and the true one.
+// The largest angle, in degrees, between the first direction and the true one.
 double largest_angle(const Mesh& mesh, const std::vector<TangentSpace>& field,
                      const std::function<Vec3(const Vec3&)>& truth) {
   double largest = 0;
   for (std::size_t v = 0; v < field.size(); ++v) {
     const Vec3 expected = truth(mesh.positions[v]);
-    if (expected == Vec3::Zero()) continue;
     const double sine = norm(cross(field[v].tangent, expected));
-    largest = std::max(largest, std::asin(std::min(sine, 1.0)) * 180 / 3.14159265358979);
+    largest = std::max(largest, std::asin(std::min(sine, 1.0)) * 180 / std::numbers::pi);
   }
   return largest;
 }
@@ -114,7 +115,7 @@ TEST(CurvatureField, OfATorusGoesAlongMeridians) {
     const auto meridian = [](const Vec3& p) {
       return cross(normalized({-p.y(), p.x(), 0}), normalized(p - normalized({p.x(), p.y(), 0})));
     };
-    EXPECT_LT(largest_angle(mesh, field, meridian), noise > 0 ? 15 : 5);
+    EXPECT_LT(largest_angle(mesh, field, meridian), noise > 0 ? 15 : 8);
   }
 }
 
@@ -139,7 +140,7 @@ TEST(CurvatureField, DependsNeitherOnScaleNorOnOrientation) {
 Mesh moebius_strip(std::uint32_t quads) {
   Mesh mesh;
   for (std::uint32_t i = 0; i < quads; ++i) {
-    const double turn = 2 * 3.14159265358979 * i / quads;
+    const double turn = 2 * std::numbers::pi * i / quads;
     for (const double side : {-0.3, 0.0, 0.3}) {
       const double out = 1 + side * std::cos(turn / 2);
       mesh.positions.emplace_back(out * std::cos(turn), out * std::sin(turn),
@@ -165,6 +166,18 @@ TEST(CurvatureField, OfAMoebiusStripHasNoSeam) {
   for (const auto& [a, b] : find_edges(mesh).ends) {
     EXPECT_NEAR(field[a].tangent_magnitude / field[b].tangent_magnitude, 1, 0.2);
   }
+}
+
+// The same on every machine.
+TEST(CurvatureField, HasItsBits) {
+  std::uint64_t all = 0;
+  for (const TangentSpace& s : field_of(shaken(torus(500, 1), 0.01))) {
+    for (const Vec3& v :
+         {s.tangent, s.bitangent, Vec3(s.tangent_magnitude, s.bitangent_magnitude, 0)}) {
+      for (const double x : v) all = mix_bits(all ^ std::bit_cast<std::uint64_t>(x));
+    }
+  }
+  EXPECT_EQ(all, 0U);
 }
 
 TEST(CurvatureField, OfOddMeshesIsSound) {

@@ -44,7 +44,8 @@ TEST(TangentSpaces, AverageDoesNotDependOnHowTheSecondIsWritten) {
   const Vec3 d(0.3, -0.8, 0.1);
   const double expected = measure(d, average(axes, other, Averaging::pairwise), Norm::geodesic);
   for (const TangentSpace& same : {opposite, swapped, swapped_back, mirrored, exchanged}) {
-    EXPECT_NEAR(measure(d, average(axes, same, Averaging::pairwise), Norm::geodesic), expected, 1e-14);
+    EXPECT_NEAR(measure(d, average(axes, same, Averaging::pairwise), Norm::geodesic), expected,
+                1e-14);
   }
 }
 

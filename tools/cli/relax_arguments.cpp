@@ -57,7 +57,8 @@ namespace {
 
 void check_averaging(const GraphArguments& graph) {
   if (graph.averaging && graph.vfield.empty()) {
-    throw InvalidInput("--averaging: of which tangent field? Give --vfield FILE, or --vfield curvature");
+    throw InvalidInput(
+        "--averaging: of which tangent field? Give --vfield FILE, or --vfield curvature");
   }
   if (graph.averaging == Averaging::metric && graph.norm != Norm::geodesic) {
     throw InvalidInput(

@@ -39,6 +39,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !arguments.vfield.empty();
+  size.has_curvature_field = arguments.has_curvature_field();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
   if (purpose.picture) {

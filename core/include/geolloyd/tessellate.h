@@ -21,8 +21,8 @@ struct TessellateOptions {
 
   GraphKind graph = GraphKind::vertex;
   Norm norm = Norm::geodesic;
-  std::vector<TangentSpace> field;  ///< one per vertex, or none: an isotropic metric;
-                                    ///< directions may have any length
+  std::vector<TangentSpace> field;     ///< one per vertex, or none: an isotropic metric;
+                                       ///< directions may have any length
   std::optional<Averaging> averaging;  ///< of the field; none: suggested_averaging(norm)
 
   std::optional<GreedyMode>
