@@ -6,6 +6,7 @@
 #include "core/base/bucketing.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
@@ -17,22 +18,35 @@ struct ArcEnd {
   const TangentSpace* space;  // null in the isotropic metric
 };
 
+struct Measure {
+  Norm norm;
+  Averaging averaging;
+};
+
+Measure measure_of(const MeshGraphOptions& options) {
+  const Averaging averaging = options.averaging.value_or(suggested_averaging(options.norm));
+  if (averaging == Averaging::metric && options.norm != Norm::geodesic) {
+    throw InvalidInput("only the geodesic norm averages tangent spaces as metrics");
+  }
+  return {options.norm, averaging};
+}
+
 // Length of a way from a to b whose isotropic length is known: its displacement is taken as the
 // chord's direction with that length. A way between two places that coincide in space (a closed
 // fold) has no direction, and keeps its isotropic length.
-double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic, Norm norm_kind) {
+double length_in_metric(const ArcEnd& a, const ArcEnd& b, double isotropic, const Measure& by) {
   const bool in_field = a.space != nullptr && b.space != nullptr;
-  if (!in_field && norm_kind == Norm::geodesic) return isotropic;
+  if (!in_field && by.norm == Norm::geodesic) return isotropic;
   const Vec3 chord = b.position - a.position;
   const double chord_length = norm(chord);
   if (chord_length == 0) return isotropic;
   const Vec3 displacement = chord * (isotropic / chord_length);
-  return in_field ? measure(displacement, average(*a.space, *b.space), norm_kind)
-                  : measure(displacement, norm_kind);
+  return in_field ? measure(displacement, average(*a.space, *b.space, by.averaging), by.norm)
+                  : measure(displacement, by.norm);
 }
 
-double straight_length(const ArcEnd& a, const ArcEnd& b, Norm norm_kind) {
-  return length_in_metric(a, b, norm(b.position - a.position), norm_kind);
+double straight_length(const ArcEnd& a, const ArcEnd& b, const Measure& by) {
+  return length_in_metric(a, b, norm(b.position - a.position), by);
 }
 
 // Pairs of `count` things.
@@ -44,11 +58,17 @@ class ArcBuilder {
  public:
   ArcBuilder(Executor& executor, const Mesh& mesh, const MeshEdges& edges,
              const MeshGraphOptions& options, const MeshGraph& target)
-      : executor_(executor), mesh_(mesh), edges_(edges), options_(options), target_(target) {
+      : executor_(executor),
+        mesh_(mesh),
+        edges_(edges),
+        options_(options),
+        measure_(measure_of(options)),
+        target_(target) {
     if (has_triangles(options.kind) && !options.vertex_space.empty()) {
       triangle_space_.resize(mesh.triangle_count());
       parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-        triangle_space_[t] = triangle_space(mesh.triangles[t], options.vertex_space);
+        triangle_space_[t] =
+            triangle_space(mesh.triangles[t], options.vertex_space, measure_.averaging);
       });
     }
   }
@@ -101,7 +121,7 @@ class ArcBuilder {
   void put_along(std::size_t edge, UndirectedArc* arc) const {
     const ArcEnd a = vertex(edges_.ends[edge][0]);
     const ArcEnd b = vertex(edges_.ends[edge][1]);
-    *arc = {a.node, b.node, straight_length(a, b, options_.norm)};
+    *arc = {a.node, b.node, straight_length(a, b, measure_)};
   }
 
   // The other end of a way across the edge opposite to a corner.
@@ -119,14 +139,13 @@ class ArcBuilder {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
         const ArcEnd b = beyond(corners[j]);
         const double isotropic = unfolded_distance(a.position, b.position, e0, e1);
-        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, options_.norm)};
+        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, measure_)};
       }
     }
   }
 
   [[nodiscard]] double leg(CornerId corner) const {
-    return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)),
-                           options_.norm);
+    return straight_length(triangle(triangle_of(corner)), vertex(apex(mesh_, corner)), measure_);
   }
 
   void find_fans() {
@@ -161,6 +180,7 @@ class ArcBuilder {
   const Mesh& mesh_;
   const MeshEdges& edges_;
   const MeshGraphOptions& options_;
+  Measure measure_;
   const MeshGraph& target_;
   std::vector<TangentSpace> triangle_space_;
   Bucketed<CornerId> fans_;  // corners at each vertex

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct MeshGraphOptions {
   GraphKind kind = GraphKind::vertex;
   Norm norm = Norm::geodesic;
   std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
+  std::optional<Averaging> averaging =
+      std::nullopt;  ///< of spaces; none: suggested_averaging(norm)
 };
 
 /// Number of arcs, in one direction, before those between the same two nodes become one. Many
@@ -50,7 +53,8 @@ std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kin
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
 /// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A
 /// non-manifold edge joins all its triangles to each other. Throws InvalidInput where nothing is
-/// left to make a graph of, or 32-bit ids do not suffice.
+/// left to make a graph of, 32-bit ids do not suffice, or a norm other than geodesic is to average
+/// metrics.
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
                           Executor& executor = sequential());
 

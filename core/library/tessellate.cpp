@@ -51,8 +51,8 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runt
   TessellatedGraph result;
   result.mesh_digest = digest(mesh);
   const MeshEdges edges = find_edges(mesh, runtime.executor());
-  result.mesh_graph =
-      make_mesh_graph(mesh, edges, {options.graph, options.norm, field}, runtime.executor());
+  result.mesh_graph = make_mesh_graph(
+      mesh, edges, {options.graph, options.norm, field, options.averaging}, runtime.executor());
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
   result.relaxation = relax(result.mesh_graph.graph, *engine,
                             find_first_seeds(mesh, edges, result.mesh_graph, options, runtime),

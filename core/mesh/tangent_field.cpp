@@ -1,5 +1,11 @@
 #include "core/mesh/tangent_field.h"
 
+#include <algorithm>
+#include <array>
+
+#include "core/base/vec3.h"
+#include "core/mesh/metric_mean.h"
+
 namespace geolloyd {
 namespace {
 
@@ -15,9 +21,7 @@ double agreement(const TangentSpace& a, const TangentSpace& b) {
   return dot(a.tangent, b.tangent) + dot(a.bitangent, b.bitangent);
 }
 
-}  // namespace
-
-TangentSpace average(const TangentSpace& a, const TangentSpace& b) {
+TangentSpace average_of_pair(const TangentSpace& a, const TangentSpace& b) {
   TangentSpace nearest = b;
   for (TangentSpace turned : {b, mirror_image(b)}) {
     for (int turn = 0; turn < 4; ++turn) {
@@ -30,10 +34,21 @@ TangentSpace average(const TangentSpace& a, const TangentSpace& b) {
           (a.bitangent_magnitude + nearest.bitangent_magnitude) / 2};
 }
 
-TangentSpace triangle_space(const Triangle& triangle,
-                            const std::vector<TangentSpace>& vertex_space) {
-  return average(average(vertex_space[triangle[0]], vertex_space[triangle[1]]),
-                 vertex_space[triangle[2]]);
+}  // namespace
+
+TangentSpace average(const TangentSpace& a, const TangentSpace& b, Averaging averaging) {
+  const bool as_metrics = averaging == Averaging::metric && has_plane(a) && has_plane(b);
+  return as_metrics ? metric_mean(std::array{a, b}) : average_of_pair(a, b);
+}
+
+TangentSpace triangle_space(const Triangle& triangle, const std::vector<TangentSpace>& vertex_space,
+                            Averaging averaging) {
+  const std::array spaces = {vertex_space[triangle[0]], vertex_space[triangle[1]],
+                             vertex_space[triangle[2]]};
+  if (averaging == Averaging::metric && std::all_of(spaces.begin(), spaces.end(), has_plane)) {
+    return metric_mean(spaces);
+  }
+  return average_of_pair(average_of_pair(spaces[0], spaces[1]), spaces[2]);
 }
 
 }  // namespace geolloyd

@@ -24,7 +24,7 @@ TangentSpace turned(const TangentSpace& s, double angle) {
 }
 
 TEST(TangentSpaces, AverageOfTwoNearOnesLiesBetweenThem) {
-  const TangentSpace mean = average(axes, turned(axes, 0.4));
+  const TangentSpace mean = average(axes, turned(axes, 0.4), Averaging::pairwise);
   const TangentSpace expected = turned(axes, 0.2);
   EXPECT_NEAR((mean.tangent - expected.tangent).norm(), 0, 1e-14);
   EXPECT_NEAR((mean.bitangent - expected.bitangent).norm(), 0, 1e-14);
@@ -42,9 +42,10 @@ TEST(TangentSpaces, AverageDoesNotDependOnHowTheSecondIsWritten) {
   const TangentSpace mirrored{other.tangent, -other.bitangent, 3, 1};
   const TangentSpace exchanged{other.bitangent, other.tangent, 1, 3};
   const Vec3 d(0.3, -0.8, 0.1);
-  const double expected = measure(d, average(axes, other), Norm::geodesic);
+  const double expected = measure(d, average(axes, other, Averaging::pairwise), Norm::geodesic);
   for (const TangentSpace& same : {opposite, swapped, swapped_back, mirrored, exchanged}) {
-    EXPECT_NEAR(measure(d, average(axes, same), Norm::geodesic), expected, 1e-14);
+    EXPECT_NEAR(measure(d, average(axes, same, Averaging::pairwise), Norm::geodesic), expected,
+                1e-14);
   }
 }
 
@@ -54,14 +55,14 @@ TEST(TangentSpaces, AverageIsSymmetricAsAMetric) {
         normalized({random_unit(1, 6 * i) - 0.5, random_unit(1, 6 * i + 1) - 0.5, 0}),
         normalized({0, random_unit(1, 6 * i + 2) - 0.5, 0.1}), 2, 5};
     const Vec3 d(random_unit(1, 6 * i + 3), random_unit(1, 6 * i + 4), random_unit(1, 6 * i + 5));
-    EXPECT_NEAR(measure(d, average(axes, other), Norm::geodesic),
-                measure(d, average(other, axes), Norm::geodesic), 1e-12);
+    EXPECT_NEAR(measure(d, average(axes, other, Averaging::pairwise), Norm::geodesic),
+                measure(d, average(other, axes, Averaging::pairwise), Norm::geodesic), 1e-12);
   }
 }
 
 TEST(TangentSpaces, OfATriangleWeighsItsThirdVertexTwice) {
   const TangentSpace of_triangle =
-      triangle_space({0, 1, 2}, {axes, turned(axes, 0.4), turned(axes, 0.6)});
+      triangle_space({0, 1, 2}, {axes, turned(axes, 0.4), turned(axes, 0.6)}, Averaging::pairwise);
   EXPECT_NEAR((of_triangle.tangent - turned(axes, 0.4).tangent).norm(), 0, 1e-14);
 }
 

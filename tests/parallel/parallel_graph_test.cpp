@@ -8,6 +8,7 @@
 
 #include "bench/support/same_bytes.h"
 #include "core/graph/mesh_graph.h"
+#include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
@@ -84,13 +85,24 @@ std::vector<MeshGraphOptions> all_options(const Mesh& mesh) {
       all.push_back({kind, norm_kind, {}});
       all.push_back({kind, norm_kind, swirl(mesh)});
     }
+    all.push_back({kind, Norm::geodesic, swirl(mesh), Averaging::pairwise});
   }
   return all;
+}
+
+bool same_spaces(const std::vector<TangentSpace>& a, const std::vector<TangentSpace>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const TangentSpace& s, const TangentSpace& t) {
+                      return s.tangent == t.tangent && s.bitangent == t.bitangent &&
+                             s.tangent_magnitude == t.tangent_magnitude &&
+                             s.bitangent_magnitude == t.bitangent_magnitude;
+                    });
 }
 
 void expect_executors_agree(const Mesh& mesh) {
   const MeshEdges edges = find_edges(mesh);
   const MeshFacts facts = check_mesh(mesh, edges);
+  const std::vector<TangentSpace> field = curvature_field(mesh, edges);
   const std::vector<MeshGraphOptions> options = all_options(mesh);
   std::vector<MeshGraph> expected;
   expected.reserve(options.size());
@@ -98,6 +110,7 @@ void expect_executors_agree(const Mesh& mesh) {
   for_teams([&](Scheduler& scheduler) {
     expect_same(find_edges(mesh, scheduler), edges);
     expect_same(check_mesh(mesh, edges, scheduler), facts);
+    EXPECT_TRUE(same_spaces(curvature_field(mesh, edges, scheduler), field));
     for (std::size_t i = 0; i < options.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "options " << i);
       expect_same(make_mesh_graph(mesh, edges, options[i], scheduler), expected[i]);

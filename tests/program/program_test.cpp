@@ -289,6 +289,20 @@ TEST_F(Program, ContinuesFromWrittenSeeds) {
   EXPECT_EQ(report_in(out("second"))["end"], "converged");
 }
 
+TEST_F(Program, MakesAFieldOfTheSurfacesCurvature) {
+  mesh_ = folder_.path() / "tube.ply";
+  ASSERT_EQ(geolloyd_with("generate cylinder -t 2000 -o " + mesh_.string()).status, 0);
+  ASSERT_EQ(relax("--seeds 20", "isotropic").status, 0);
+  ASSERT_EQ(relax("--seeds 20 --vfield curvature", "metric").status, 0);
+  ASSERT_EQ(relax("--seeds 20 --vfield curvature --averaging pairwise", "pairwise").status, 0);
+  EXPECT_EQ(report_in(out("isotropic"))["options"]["averaging"], nullptr);
+  EXPECT_EQ(report_in(out("metric"))["options"]["averaging"], "metric");
+  EXPECT_EQ(report_in(out("metric"))["options"]["vfield"], "curvature");
+  EXPECT_EQ(report_in(out("pairwise"))["options"]["averaging"], "pairwise");
+  EXPECT_NE(report_in(out("metric"))["fingerprint"], report_in(out("isotropic"))["fingerprint"]);
+  EXPECT_NE(relax("--seeds 20 --vfield ./curvature", "file").status, 0);
+}
+
 TEST_F(Program, StretchesRegionsAlongAField) {
   const fs::path plane = folder_.path() / "plane.ply";
   ASSERT_EQ(geolloyd_with("generate plane -t 20000 -o " + plane.string()).status, 0);

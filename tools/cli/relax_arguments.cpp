@@ -71,6 +71,22 @@ void add_graph_options(CLI::App& command, GraphArguments& graph) {
   add_metric_options(command, graph);
 }
 
+namespace {
+
+void check_averaging(const GraphArguments& graph) {
+  if (graph.averaging && graph.vfield.empty()) {
+    throw InvalidInput(
+        "--averaging: of which tangent field? Give --vfield FILE, or --vfield curvature");
+  }
+  if (graph.averaging == Averaging::metric && graph.norm != Norm::geodesic) {
+    throw InvalidInput(
+        "--averaging metric: a metric knows lengths, but no axes for this --norm: give pairwise, "
+        "or --norm geodesic");
+  }
+}
+
+}  // namespace
+
 void add_metric_options(CLI::App& command, GraphArguments& graph) {
   add_choice(command, "--norm", graph.norm, norm_names,
              "Norm of displacements; manhattan and linf use the axes of the\n"
@@ -78,10 +94,16 @@ void add_metric_options(CLI::App& command, GraphArguments& graph) {
       ->group(graph_group);
   command
       .add_option("--vfield", graph.vfield,
-                  "File of a tangent field for an anisotropic metric: a line of\n"
-                  "column names, then k1, k2 and two vectors per vertex")
-      ->type_name("FILE")
+                  "Anisotropic metric: curvature, for the field of the surface's own\n"
+                  "curvatures, or a file: a line of column names, then k1, k2 and two\n"
+                  "vectors per vertex")
+      ->type_name("FILE|curvature")
       ->group(graph_group);
+  add_choice(command, "--averaging", graph.averaging, averaging_choice_names,
+             "How tangent spaces of the field become one: as metrics, or by pairs\n"
+             "of directions (the thesis). auto: metric with --norm geodesic")
+      ->group(graph_group);
+  command.parse_complete_callback([&graph] { check_averaging(graph); });
 }
 
 void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) {

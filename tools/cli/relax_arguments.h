@@ -27,7 +27,11 @@ struct SeedArguments {
 struct GraphArguments {
   GraphKind kind = GraphKind::vertex;
   Norm norm = Norm::geodesic;
-  std::filesystem::path vfield;
+  std::filesystem::path vfield;        ///< or the word for the surface's own field
+  std::optional<Averaging> averaging;  ///< empty: goes by the norm
+
+  /// A file of that name is ./curvature.
+  [[nodiscard]] bool has_curvature_field() const { return vfield == "curvature"; }
 };
 
 /// What a tessellation begins with.
@@ -40,7 +44,7 @@ struct StartArguments {
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> files() const {
-    return {mesh, graph.vfield, seeds.file};
+    return {mesh, graph.has_curvature_field() ? std::filesystem::path() : graph.vfield, seeds.file};
   }
 };
 
@@ -100,6 +104,7 @@ void add_mesh_argument(CLI::App& command, StartArguments& start);
 void add_seed_options(CLI::App& command, SeedArguments& seeds);    // with those of the next line
 void add_init_options(CLI::App& command, SeedArguments& seeds);    // how, not how many
 void add_graph_options(CLI::App& command, GraphArguments& graph);  // with those of the next line
+/// Options that contradict each other are refused when all are read.
 void add_metric_options(CLI::App& command, GraphArguments& graph);
 /// Adds the options of the next line, too.
 void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation);

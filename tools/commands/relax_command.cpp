@@ -186,11 +186,15 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
   return result;
 }
 
+// Whose numbers a repair would change; empty: none is given.
+std::string option_that_names_vertices(const StartArguments& start) {
+  if (!start.seeds.file.empty()) return "--seeds-file";
+  return start.graph.vfield.empty() || start.graph.has_curvature_field() ? "" : "--vfield";
+}
+
 void run_relax(const RelaxArguments& arguments) {
   check_seeds(arguments.start.seeds);
-  check_repair(arguments.start.repair, !arguments.start.seeds.file.empty()     ? "--seeds-file"
-                                       : !arguments.start.graph.vfield.empty() ? "--vfield"
-                                                                               : "");
+  check_repair(arguments.start.repair, option_that_names_vertices(arguments.start));
   if (!arguments.frames.empty() && arguments.relaxation.improvement.rounds > 0) {
     throw InvalidInput("--frames and --improve exclude each other: a round is no single picture");
   }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/formats/tangent_field_file.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/properties.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
@@ -125,13 +125,16 @@ class Renderer {
         return paint_ground_truth(view, truth.region, truth.surface_centroid, scene, scheduler_);
       }
       case PanelKind::field:
-        return paint_field(
-            read_tangent_field(arguments_.start.graph.vfield, start_.input.mesh().vertex_count()),
-            scene, scheduler_);
+        return paint_field(asked_field(), scene, scheduler_);
       case PanelKind::remesh:
         break;  // has a scene of its own
     }
     return {};
+  }
+
+  std::vector<TangentSpace> asked_field() {
+    const Mesh& mesh = start_.input.mesh();
+    return find_field(arguments_.start.graph, mesh, find_edges(mesh, scheduler_), scheduler_);
   }
 
   const RenderArguments& arguments_;
@@ -154,7 +157,7 @@ std::vector<Panel> check(const RenderArguments& a) {
   }
   for (const Panel& panel : panels) {
     if (panel.kind == PanelKind::field && a.start.graph.vfield.empty()) {
-      throw InvalidInput("--panel field: which field? Give --vfield FILE");
+      throw InvalidInput("--panel field: which field? Give --vfield FILE, or --vfield curvature");
     }
     if (needs_partition(panel.kind)) check_seeds(a.start.seeds);
     if (panel.caption && !Sheet::can_show(*panel.caption)) {

@@ -20,6 +20,12 @@ Json path_or_null(const std::filesystem::path& path) {
   return path.empty() ? Json(nullptr) : Json(path.string());
 }
 
+// Of a field there may not be.
+Json averaging_part(const GraphArguments& graph) {
+  if (graph.vfield.empty()) return nullptr;
+  return name_of(averaging_names, graph.averaging.value_or(suggested_averaging(graph.norm)));
+}
+
 }  // namespace
 
 Json machine_part() {
@@ -133,6 +139,7 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
   return {{"graph", name_of(graph_kind_names, start.graph.kind)},
           {"norm", name_of(norm_names, start.graph.norm)},
           {"vfield", path_or_null(start.graph.vfield)},
+          {"averaging", averaging_part(start.graph)},
           {"seeds", seeds},
           {"seeds_file", path_or_null(first.file)},
           {"init", first.file.empty() ? Json(name_of(seed_init_names, first.init)) : Json(nullptr)},

@@ -252,7 +252,7 @@ FlatMap CheckpointFile::describe_course() {
 
 void CheckpointFile::check_course(const FlatMap& content) {
   const std::pair<const char*, const char*> differences[] = {
-      {"graph", "another mesh, or of another --graph, --norm or --vfield"},
+      {"graph", "another mesh, or of another --graph, --norm, --vfield or --averaging"},
       {"first_seeds", "other first seeds: other --seeds, --init, --random-seed or --seeds-file"},
       {"greedy", "another --greedy"},
       {"microstep_skip", "another --no-microstep-skip"},

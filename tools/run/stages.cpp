@@ -9,6 +9,7 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/mesh/curvature_field.h"
 #include "core/mesh/properties.h"
 #include "core/seeds/seed_file.h"
 #include "core/start/first_seeds.h"
@@ -39,6 +40,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !arguments.vfield.empty();
+  size.has_curvature_field = arguments.has_curvature_field();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
@@ -70,6 +72,13 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
+std::vector<TangentSpace> find_field(const GraphArguments& arguments, const Mesh& mesh,
+                                     const MeshEdges& edges, Executor& executor) {
+  if (arguments.vfield.empty()) return {};
+  if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);
+  return read_tangent_field(arguments.vfield, mesh.vertex_count());
+}
+
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
                        std::size_t seeds, const Purpose& purpose, Scheduler& scheduler) {
   BuiltGraph built;
@@ -77,10 +86,9 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loade
   announce_memory(loaded.input.file.string(), built.memory_estimate);
   const Stopwatch watch;
   const Mesh& mesh = loaded.input.mesh();
-  MeshGraphOptions options{arguments.kind, arguments.norm, {}};
-  if (!arguments.vfield.empty()) {
-    options.vertex_space = read_tangent_field(arguments.vfield, mesh.vertex_count());
-  }
+  const MeshGraphOptions options{arguments.kind, arguments.norm,
+                                 find_field(arguments, mesh, loaded.edges, scheduler),
+                                 arguments.averaging};
   built.mesh_graph = make_mesh_graph(mesh, loaded.edges, options, scheduler);
   built.seconds = watch.seconds();
   return built;

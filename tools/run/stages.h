@@ -28,6 +28,10 @@ struct Purpose {
   SeedInit init = SeedInit::farthest;       ///< prepare() knows
 };
 
+/// The tangent field that is asked for: none, that of a file, or the surface's own.
+std::vector<TangentSpace> find_field(const GraphArguments& arguments, const Mesh& mesh,
+                                     const MeshEdges& edges, Executor& executor);
+
 /// A graph of a mesh.
 struct BuiltGraph {
   MeshGraph mesh_graph;

@@ -53,7 +53,10 @@ Bytes graph_bytes(const RunSize& s) {
 // breadth-first tree.
 Bytes building_graph(const RunSize& s) {
   const Bytes spaces = s.has_field ? 64 * (s.vertices + s.triangles) : 0;  // TangentSpace
-  return edge_bytes(s.edges, s.triangles) + graph_bytes(s) + 45 * s.nodes + 40 * s.links + spaces;
+  // Before that, normals, axes, tensors, and how a tensor passes along each edge, either way.
+  const Bytes curvature = s.has_curvature_field ? 140 * s.vertices + 56 * s.edges : 0;
+  const Bytes graph = graph_bytes(s) + 45 * s.nodes + 40 * s.links;
+  return edge_bytes(s.edges, s.triangles) + std::max(graph, curvature) + spaces;
 }
 
 // Keys, parents, sums, what a node belongs to; and a copy of the partition in the result.

@@ -25,6 +25,17 @@ const std::vector<Named<Norm>> norm_names = {
     {"linf", Norm::linf},
 };
 
+const std::vector<Named<Averaging>> averaging_names = {
+    {"metric", Averaging::metric},
+    {"pairwise", Averaging::pairwise},
+};
+
+const std::vector<Named<std::optional<Averaging>>> averaging_choice_names = {
+    {"auto", std::nullopt},
+    {"metric", Averaging::metric},
+    {"pairwise", Averaging::pairwise},
+};
+
 const std::vector<Named<GreedyMode>> greedy_mode_names = {
     {"off", GreedyMode::off},
     {"standard", GreedyMode::standard},

@@ -23,6 +23,9 @@ extern const std::vector<Named<Shape>> shape_names;
 
 extern const std::vector<Named<GraphKind>> graph_kind_names;
 extern const std::vector<Named<Norm>> norm_names;
+extern const std::vector<Named<Averaging>> averaging_names;
+/// Those of --averaging: nothing leaves the choice to the program.
+extern const std::vector<Named<std::optional<Averaging>>> averaging_choice_names;
 extern const std::vector<Named<GreedyMode>> greedy_mode_names;
 /// Those of --greedy: nothing leaves the choice to the program.
 extern const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names;

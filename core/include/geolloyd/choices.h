@@ -30,6 +30,17 @@ struct TangentSpace {
   double bitangent_magnitude = 1;
 };
 
+/// How the tangent spaces at the ends of an arc, or at the corners of a triangle, become one.
+enum class Averaging {
+  pairwise,  ///< directions with those nearest to them, magnitudes with theirs (the thesis)
+  metric,    ///< as metrics, any number at once (core/mesh/metric_mean.h); for the geodesic norm
+};
+
+/// Other norms depend on the directions, which a metric may not have.
+constexpr Averaging suggested_averaging(Norm norm) {
+  return norm == Norm::geodesic ? Averaging::metric : Averaging::pairwise;
+}
+
 /// How the first seeds are chosen.
 enum class SeedInit {
   random,            ///< uniformly over nodes (the thesis)

@@ -21,8 +21,9 @@ struct TessellateOptions {
 
   GraphKind graph = GraphKind::vertex;
   Norm norm = Norm::geodesic;
-  std::vector<TangentSpace> field;  ///< one per vertex, or none: an isotropic metric;
-                                    ///< directions may have any length
+  std::vector<TangentSpace> field;     ///< one per vertex, or none: an isotropic metric;
+                                       ///< directions may have any length
+  std::optional<Averaging> averaging;  ///< of the field; none: suggested_averaging(norm)
 
   std::optional<GreedyMode>
       greedy;  ///< none: the mode suggested for `init` (suggested_greedy_mode)
@@ -57,7 +58,7 @@ struct Tessellation {
 /// Moves seeds to the centroids of their regions until none moves (Rapetta; the definition is in
 /// core/lloyd/relaxation.h). Throws InvalidInput with a sentence where the mesh or an option is
 /// not usable: no seeds, repeated or unknown ones, fewer seeds than components, more than nodes, a
-/// field of another length or with values that are not finite.
+/// field of another length or with values that are not finite, averaging that the norm cannot have.
 Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options,
                         Runtime& runtime = reference_runtime());
 
