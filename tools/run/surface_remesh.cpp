@@ -172,9 +172,10 @@ std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   if (!(count < most)) {
     throw InvalidInput(fmt::format(
-        "edge length {:g}: the remesh would have more than {:.0f} vertices; the bounding box's "
-        "diagonal is {:g}",
-        spacing, most, loaded.input.facts.bounding_diagonal));
+        "{} {:g}: the remesh would have more than {:.0f} vertices; the bounding box's diagonal is "
+        "{:g}",
+        options.edge_length > 0 ? "--edge-length" : "--sizing: edges of about", spacing, most,
+        loaded.input.facts.bounding_diagonal));
   }
   return std::max<std::size_t>(4, static_cast<std::size_t>(count));
 }
