@@ -48,8 +48,10 @@ struct Passage {
 class CurvatureTensors {
  public:
   CurvatureTensors(const Mesh& mesh, const MeshEdges& edges, Executor& executor)
-      : mesh_(mesh), edges_(edges), executor_(executor) {
-    area_ = vertex_areas(mesh, triangle_areas(mesh, edges.duplicates, executor));
+      : mesh_(mesh),
+        edges_(edges),
+        executor_(executor),
+        area_(vertex_areas(mesh, triangle_areas(mesh, edges.duplicates, executor))) {
     find_normals();
     edges_at_ = bucket_sort<std::uint32_t>(executor, mesh.vertex_count(), edges.size(),
                                            [&](std::size_t e, auto&& put) {

@@ -115,9 +115,8 @@ double value_at(const Property& property, std::size_t i) {
 double intensity_at(const Property& property, std::size_t i) {
   const double largest = std::visit(
       [](const auto& values) {
-        using Number = ValueOf<std::remove_cvref_t<decltype(values)>>;
-        return std::is_integral_v<Number> ? static_cast<double>(std::numeric_limits<Number>::max())
-                                          : 1.0;
+        using Limits = std::numeric_limits<ValueOf<std::remove_cvref_t<decltype(values)>>>;
+        return Limits::is_integer ? static_cast<double>(Limits::max()) : 1.0;
       },
       property.values);
   return value_at(property, i) / largest;

@@ -1,7 +1,6 @@
 #include "core/start/first_seeds.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_measure.h"
@@ -49,17 +48,14 @@ std::vector<NodeId> seeds_on_coarse_graph(const Graph& graph, const Components& 
   std::sort(places.begin(), places.end());
   const Graph coarse =
       contract(graph, partition_of(*runtime.make_engine(graph), places), nodes, runtime.executor());
-  std::vector<NodeId> first =
+  const std::vector<NodeId> first =
       choose_seeds(coarse, connected_components(coarse), SeedInit::farthest, count, random_seed,
                    *runtime.make_growing_search(coarse));
   RelaxationOptions options;
   options.greedy = GreedyMode::off;
   options.improvement_rounds = 20;
-  std::vector<NodeId> seeds;
-  for (const NodeId s :
-       relax(coarse, *runtime.make_engine(coarse), std::move(first), options).seeds) {
-    seeds.push_back(places[s]);
-  }
+  std::vector<NodeId> seeds = relax(coarse, *runtime.make_engine(coarse), first, options).seeds;
+  for (NodeId& seed : seeds) seed = places[seed];
   return seeds;
 }
 
