@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/base/vec3.h"
 #include "core/mesh/principal_direction.h"
@@ -32,7 +33,7 @@ Vec3 mean_normal(std::span<const Vec3> normals) {
 // The mean of symmetric matrices (size + p, q; q, size - p) in a plane.
 class RootMean {
  public:
-  explicit RootMean(const PlaneAxes& axes) : axes_(axes) {}
+  explicit RootMean(PlaneAxes axes) : axes_(std::move(axes)) {}
 
   // The root of M is (M + r I) / sqrt(trace M + 2 r) with r = sqrt(det M).
   void add(const TangentSpace& s, const Vec3& tangent, const Vec3& bitangent) {

@@ -1,9 +1,10 @@
 #include "core/mesh/property_mixture.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -16,7 +17,8 @@ namespace {
 
 template <class Number>
 bool have_same_bits(Number a, Number b) {
-  return std::memcmp(&a, &b, sizeof(Number)) == 0;
+  using Bytes = std::array<std::byte, sizeof(Number)>;
+  return std::bit_cast<Bytes>(a) == std::bit_cast<Bytes>(b);
 }
 
 // The value that all shares have, to the bit.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/rounding.h"
 #include "core/mesh/properties.h"
 
 namespace geolloyd {
@@ -19,7 +20,7 @@ std::vector<Colour> colours_of(std::span<const Property> properties) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double part = intensity_at(*parts[c], i);
       if (std::isnan(part)) continue;
-      colours[i][c] = static_cast<std::uint8_t>(std::clamp(part, 0.0, 1.0) * 255 + 0.5);
+      colours[i][c] = static_cast<std::uint8_t>(round_to_whole(std::clamp(part, 0.0, 1.0) * 255));
     }
   }
   return colours;
@@ -31,13 +32,13 @@ Colour SurfaceColours::at(const Scene& scene, std::size_t sample, const Colour& 
   const RayHit& hit = scene.hit[sample];
   if (!of_triangles.empty()) return of_triangles[hit.triangle];
   if (of_vertices.empty()) return plain;
-  const std::array<float, 3> weight = {1 - hit.u - hit.v, hit.u, hit.v};
+  const std::array<double, 3> weight = {1 - hit.u - hit.v, hit.u, hit.v};
   const Triangle& corner = scene.mesh.triangles[hit.triangle];
   Colour colour{};
   for (std::size_t c = 0; c < 3; ++c) {
-    float sum = 0;
+    double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) sum += weight[i] * of_vertices[corner[i]][c];
-    colour[c] = static_cast<std::uint8_t>(std::clamp(sum, 0.0F, 255.0F) + 0.5F);
+    colour[c] = static_cast<std::uint8_t>(round_to_whole(std::clamp(sum, 0.0, 255.0)));
   }
   return colour;
 }
