@@ -1,11 +1,11 @@
 #include "core/surface/curvature.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "core/base/loops.h"
+#include "core/mesh/tangent_plane.h"
 #include "core/surface/coarse_mesh.h"
 
 namespace geolloyd {
@@ -15,26 +15,17 @@ namespace {
 // of the neighbours: least squares, the shorter the step the heavier.
 class ShapeOperator {
  public:
-  explicit ShapeOperator(const Vec3& normal) : normal_(normal) {
-    int axis = 0;
-    for (const int other : {1, 2}) {
-      if (std::abs(normal[other]) < std::abs(normal[axis])) axis = other;
-    }
-    Vec3 unit = Vec3::Zero();
-    unit[axis] = 1;
-    first_ = normalized(cross(normal, unit));
-    second_ = cross(normal, first_);
-  }
+  explicit ShapeOperator(const Vec3& normal) : normal_(normal), axes_(plane_axes(normal)) {}
 
   /// Normals that face away from each other are those of triangles of opposite orientations.
   void add(const Vec3& step, const Vec3& normal) {
     const Vec3 change = dot(normal, normal_) < 0 ? Vec3(-normal - normal_) : Vec3(normal - normal_);
     const double square = dot(step, step);
     if (!(square > 0)) return;
-    const double x = dot(step, first_);
-    const double y = dot(step, second_);
-    const double along_first = dot(change, first_);
-    const double along_second = dot(change, second_);
+    const double x = dot(step, axes_.first);
+    const double y = dot(step, axes_.second);
+    const double along_first = dot(change, axes_.first);
+    const double along_second = dot(change, axes_.second);
     xx_ += x * x / square;
     xy_ += x * y / square;
     yy_ += y * y / square;
@@ -61,8 +52,7 @@ class ShapeOperator {
 
  private:
   Vec3 normal_;
-  Vec3 first_;
-  Vec3 second_;
+  PlaneAxes axes_;
   double xx_ = 0;
   double xy_ = 0;
   double yy_ = 0;

@@ -62,9 +62,9 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
 
 std::string describe(const Repairs& repairs) {
   std::string text;
+  const char* what = "repaired";
   const auto tell = [&](std::size_t count, const char* singular, const char* plural) {
-    if (count > 0)
-      text += fmt::format("  {:<12}{}\n", "repaired", counted(count, singular, plural));
+    if (count > 0) text += fmt::format("  {:<12}{}\n", what, counted(count, singular, plural));
   };
   tell(repairs.unused_vertices, "vertex of no triangle: left out",
        "vertices of no triangle: left out");
@@ -87,14 +87,12 @@ std::string describe(const Repairs& repairs) {
   }
   if (text.empty())
     text = fmt::format("  {:<12}nothing: no flaw that a repair knows\n", "repaired");
-  const auto leave = [&](std::size_t count, const char* singular, const char* plural) {
-    if (count > 0) text += fmt::format("  {:<12}{}\n", "left", counted(count, singular, plural));
-  };
-  leave(repairs.slivers_left, "triangle without area", "triangles without area");
-  leave(repairs.unorientable_components, "component that cannot be oriented, like a Moebius strip",
-        "components that cannot be oriented, like a Moebius strip");
-  leave(repairs.holes_left, "small hole, whose filling would fold or touch the surface",
-        "small holes, whose filling would fold or touch the surface");
+  what = "left";
+  tell(repairs.slivers_left, "triangle without area", "triangles without area");
+  tell(repairs.unorientable_components, "component that cannot be oriented, like a Moebius strip",
+       "components that cannot be oriented, like a Moebius strip");
+  tell(repairs.holes_left, "small hole, whose filling would fold or touch the surface",
+       "small holes, whose filling would fold or touch the surface");
   return text;
 }
 
