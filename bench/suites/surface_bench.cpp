@@ -138,8 +138,7 @@ std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start,
 }
 
 bool evaluate_alike(SurfaceEngine& engine, SurfaceEngine& expected, std::span<const Vec3> sites) {
-  const bool are_moments_alike =
-      std::ranges::equal(engine.evaluate(sites), expected.evaluate(sites));
+  const bool are_moments_alike = engine.evaluate(sites) == expected.evaluate(sites);
   return are_moments_alike && engine.labels() == expected.labels();
 }
 
@@ -316,13 +315,13 @@ void fit(Run& run, const Workers& workers) {
   Mesh mesh;
   const auto prepare = [&] { mesh = dual.mesh; };
   const auto work = [&] {
-    return fit_to_surface(start.input(), dual.labels, dual.on_chains, mesh, workers.executor);
+    return fit_to_surface(start.input(), dual.labels, dual.on_chains, {}, mesh, workers.executor);
   };
   run.verify("not closer, or not the fit of the calling thread", [&] {
     prepare();
     const FitResult found = work();
     Mesh expected = dual.mesh;
-    fit_to_surface(start.input(), dual.labels, dual.on_chains, expected);
+    fit_to_surface(start.input(), dual.labels, dual.on_chains, {}, expected);
     return found.after.sum_of_squares <= found.before.sum_of_squares &&
            same_bytes(mesh.positions, expected.positions);
   });

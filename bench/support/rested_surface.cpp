@@ -50,7 +50,7 @@ RestedSurface rest_on_surface(const Mesh& mesh, const MeshEdges& edges, std::siz
   SiteRelaxer relaxer(make_engine, options, rested.input().fine.whole_area,
                       1 / rested.input().frame.scale, sequential());
   relaxer.sweep(fine_level(rested.surface()), rested.resting.state);
-  rested.energy = energy_of(rested.input(), rested.resting.state, relaxer.cells());
+  rested.energy = energy_of(rested.input(), rested.resting.state, relaxer.cells().moments);
   return rested;
 }
 

@@ -45,8 +45,10 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
                              Runtime& runtime) {
   validate(mesh);
   const MeshEdges edges = find_edges(mesh, runtime.executor());
+  SurfaceRemeshOptions checked = options;
+  checked.field = checked_field(options.field, mesh.vertex_count());
   return make_surface_remesh(
-      mesh, edges, options,
+      mesh, edges, checked,
       [&runtime](const FineMesh& fine) { return runtime.make_surface_engine(fine); },
       runtime.executor());
 }

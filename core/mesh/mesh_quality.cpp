@@ -13,15 +13,15 @@ namespace geolloyd {
 namespace {
 
 // Edge i lies opposite to corner i.
-std::array<double, 3> edge_lengths(const Mesh& mesh, const Triangle& t) {
+std::array<double, 3> edge_lengths(const TriangleCorners& corners) {
   std::array<double, 3> lengths{};
   for (std::size_t i = 0; i < 3; ++i) {
-    lengths[i] = norm(mesh.positions[t[(i + 2) % 3]] - mesh.positions[t[(i + 1) % 3]]);
+    lengths[i] = norm(corners[(i + 2) % 3] - corners[(i + 1) % 3]);
   }
   return lengths;
 }
 
-void measure_triangles(const Mesh& mesh, MeshQuality& quality) {
+void measure_triangles(const Mesh& mesh, std::span<const Metric> metric, MeshQuality& quality) {
   if (mesh.triangles.empty()) return;
   quality.smallest_angle = 60;
   quality.smallest_quality = 1;
@@ -29,8 +29,9 @@ void measure_triangles(const Mesh& mesh, MeshQuality& quality) {
   double qualities = 0;
   double under_30 = 0;
   for (const Triangle& t : mesh.triangles) {
-    const double angle = smallest_angle(mesh, t);
-    const double q = triangle_quality(mesh, t);
+    const TriangleCorners corners = corners_of(mesh, t, metric);
+    const double angle = smallest_angle(corners);
+    const double q = triangle_quality(corners);
     quality.smallest_angle = std::min(quality.smallest_angle, angle);
     quality.smallest_quality = std::min(quality.smallest_quality, q);
     angles += angle;
@@ -68,22 +69,37 @@ void count_valences(const Mesh& mesh, const MeshEdges& edges, MeshQuality& quali
 
 }  // namespace
 
+TriangleCorners corners_of(const Mesh& mesh, const Triangle& triangle,
+                           std::span<const Metric> metric) {
+  const auto& [a, b, c] = triangle;
+  const TriangleCorners corners = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+  if (metric.empty()) return corners;
+  const MetricRoot root((1.0 / 3) * (metric[a] + metric[b] + metric[c]));
+  return {root(corners[0]), root(corners[1]), root(corners[2])};
+}
+
 // The arc tangent is exact also where the cosine hardly tells angles apart, and 0 without area.
-double smallest_angle(const Mesh& mesh, const Triangle& triangle) {
-  if (!has_three_vertices(triangle)) return 0;
-  const std::array<double, 3> lengths = edge_lengths(mesh, triangle);
+double smallest_angle(const TriangleCorners& corners) {
+  const std::array<double, 3> lengths = edge_lengths(corners);
   const auto apex =
       static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
-  const Vec3& a = mesh.positions[triangle[apex]];
-  const Vec3 b = mesh.positions[triangle[(apex + 1) % 3]] - a;
-  const Vec3 c = mesh.positions[triangle[(apex + 2) % 3]] - a;
+  const Vec3& a = corners[apex];
+  const Vec3 b = corners[(apex + 1) % 3] - a;
+  const Vec3 c = corners[(apex + 2) % 3] - a;
   return std::atan2(norm(cross(b, c)), dot(b, c)) * (180 / std::numbers::pi);
 }
 
-double triangle_quality(const Mesh& mesh, const Triangle& triangle) {
-  const double area = triangle_area(mesh, triangle);
+double cosine_of_smallest_angle(const TriangleCorners& corners) {
+  const Vec3 ab = normalized(corners[1] - corners[0]);
+  const Vec3 bc = normalized(corners[2] - corners[1]);
+  const Vec3 ca = normalized(corners[0] - corners[2]);
+  return -std::min({dot(ab, bc), dot(bc, ca), dot(ca, ab)});
+}
+
+double triangle_quality(const TriangleCorners& corners) {
+  const double area = norm(cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
   if (area == 0) return 0;
-  const auto [a, b, c] = edge_lengths(mesh, triangle);
+  const auto [a, b, c] = edge_lengths(corners);
   return 6 / std::sqrt(3.0) * area / ((a + b + c) / 2 * std::max({a, b, c}));
 }
 
@@ -113,9 +129,10 @@ std::size_t count_folds(const Mesh& mesh, const MeshEdges& edges) {
   return folds;
 }
 
-MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges) {
+MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges,
+                            std::span<const Metric> metric) {
   MeshQuality quality;
-  measure_triangles(mesh, quality);
+  measure_triangles(mesh, metric, quality);
   count_valences(mesh, edges, quality);
   return quality;
 }

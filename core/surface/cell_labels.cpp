@@ -88,6 +88,23 @@ std::vector<double> resolution_at_sites(const FineMesh& mesh, std::size_t sites,
   return resolution;
 }
 
+std::vector<Metric> metric_at_sites(const FineMesh& mesh, std::size_t sites,
+                                    std::span<const RegionId> labels) {
+  if (mesh.metric.empty()) return {};
+  std::vector<Metric> metric(sites, Metric::zero());
+  std::vector<std::uint32_t> count(sites, 0);
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    if (labels[v] == no_id) continue;
+    const double resolution = mesh.resolution_at(v);
+    metric[labels[v]] += resolution * resolution * mesh.metric[v];
+    ++count[labels[v]];
+  }
+  for (std::size_t r = 0; r < sites; ++r) {
+    metric[r] = count[r] > 0 ? 1.0 / count[r] * metric[r] : Metric{};
+  }
+  return metric;
+}
+
 std::vector<FarthestVertex> farthest_vertices(const FineMesh& mesh, std::span<const Vec3> sites,
                                               std::span<const std::uint8_t> is_fixed,
                                               std::span<const RegionId> labels) {
@@ -95,8 +112,7 @@ std::vector<FarthestVertex> farthest_vertices(const FineMesh& mesh, std::span<co
   for (VertexId v = 0; v < labels.size(); ++v) {
     if (labels[v] == no_id || is_fixed[v] != 0) continue;
     FarthestVertex& best = farthest[labels[v]];
-    const Vec3 away = mesh.positions[v] - sites[labels[v]];
-    const double square = dot(away, away);
+    const double square = mesh.square_at(v, mesh.positions[v] - sites[labels[v]]);
     if (best.vertex == no_id || square > best.square_distance) best = {v, square};
   }
   return farthest;

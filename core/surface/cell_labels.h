@@ -24,6 +24,12 @@ void fill_gaps(const FineMesh& mesh, std::span<const Vec3> sites, std::vector<Re
 std::vector<double> resolution_at_sites(const FineMesh& mesh, std::size_t sites,
                                         std::span<const RegionId> labels);
 
+/// Per site: the mean over the vertices of its cell of their metric, counted by the square of the
+/// resolution, so that its lengths are in spacings; that of even space where it has none. Empty
+/// where the mesh has no metric.
+std::vector<Metric> metric_at_sites(const FineMesh& mesh, std::size_t sites,
+                                    std::span<const RegionId> labels);
+
 /// Per site: the vertex of its cell, not fixed, that is farthest from it, and the square of that
 /// distance; of equals, the smallest. no_id where it has none.
 struct FarthestVertex {

@@ -9,11 +9,44 @@
 
 namespace geolloyd {
 
+/// How a triangle measures where there is no metric.
+class EvenMeasure {
+ public:
+  using Sum = Moments;
+
+  EvenMeasure(const FineMesh& /*mesh*/, TriangleId /*t*/) {}
+  [[nodiscard]] const Vec3& operator()(const Vec3& p) const { return p; }
+  [[nodiscard]] Sum round(const MomentUnit& unit, const PieceMoments& piece) const {
+    return unit.round(piece);
+  }
+};
+
+/// The same in a metric, which is constant within a triangle: its root maps the triangle to one
+/// that is measured as usual.
+class MetricMeasure {
+ public:
+  using Sum = MetricMoments;
+
+  MetricMeasure(const FineMesh& mesh, TriangleId t) : metric_(mesh.metric_of(t)), root_(metric_) {}
+  [[nodiscard]] Vec3 operator()(const Vec3& p) const { return root_(p); }
+  [[nodiscard]] Sum round(const MomentUnit& unit, PieceMoments piece) const {
+    piece.first = root_.transposed(piece.first);
+    return unit.round(piece, metric_);
+  }
+
+ private:
+  Metric metric_;
+  MetricRoot root_;
+};
+
 /// Moments of a triangle that lies in one cell.
-inline Moments moments_of(const FineMesh& mesh, const MomentUnit& unit, TriangleId t) {
+template <class Measure = EvenMeasure>
+typename Measure::Sum moments_of(const FineMesh& mesh, const MomentUnit& unit, TriangleId t) {
+  const Measure measure(mesh, t);
   const auto& [a, b, c] = mesh.triangles[t];
-  return unit.round(
-      moments_of_triangle(mesh.positions[a], mesh.positions[b], mesh.positions[c], mesh.mass(t)));
+  return measure.round(unit,
+                       moments_of_triangle(measure(mesh.positions[a]), measure(mesh.positions[b]),
+                                           measure(mesh.positions[c]), mesh.mass(t)));
 }
 
 /// The site that has of a triangle what other sites do not cut off: that of two corners or more,
@@ -31,7 +64,7 @@ inline RegionId main_site(const FineMesh& mesh, TriangleId t, std::span<const Re
 /// are convex. Other triangles are cut by the bisector planes of the candidates: the labels of its
 /// corners, and of the vertices beyond its edges. The main site has the rest, so that shares sum to
 /// the moments of the triangle exactly.
-template <class Emit>
+template <class Measure = EvenMeasure, class Emit>
 void for_each_piece(const FineMesh& mesh, const MomentUnit& unit, TriangleId t,
                     std::span<const RegionId> labels, std::span<const Vec3> sites, Emit&& emit);
 
@@ -64,18 +97,23 @@ struct InTriangle {
   double v;
 };
 
-/// A triangle with the labels of its corners, which are not all the same.
+/// A triangle with the labels of its corners, which are not all the same. Corners and sites are as
+/// its measure maps them.
+template <class Measure>
 struct CutTriangle {
+  Measure measure;
+  std::span<const Vec3> sites;
   Vec3 corner[3];
   double mass;
   RegionId at[3] = {};
   Sites others;  ///< labels of the vertices beyond its edges that are no corner's
 
-  CutTriangle(const FineMesh& mesh, TriangleId t, std::span<const RegionId> labels)
-      : mass(mesh.mass(t)) {
+  CutTriangle(const FineMesh& mesh, TriangleId t, std::span<const RegionId> labels,
+              std::span<const Vec3> all_sites)
+      : measure(mesh, t), sites(all_sites), mass(mesh.mass(t)) {
     const Triangle& corners = mesh.triangles[t];
     for (std::size_t c = 0; c < 3; ++c) {
-      corner[c] = mesh.positions[corners[c]];
+      corner[c] = measure(mesh.positions[corners[c]]);
       at[c] = labels[corners[c]];
     }
     for (const VertexId v : mesh.across[t]) {
@@ -85,17 +123,18 @@ struct CutTriangle {
     }
   }
 
+  [[nodiscard]] decltype(auto) site(RegionId r) const { return measure(sites[r]); }
   [[nodiscard]] Vec3 point(const InTriangle& p) const {
     return corner[0] + p.u * (corner[1] - corner[0]) + p.v * (corner[2] - corner[0]);
   }
   /// Whether no other site is nearer to one of these points than the point's owner.
   template <std::size_t count>
-  [[nodiscard]] bool others_own_none(const Vec3 (&point)[count], const RegionId (&owner)[count],
-                                     std::span<const Vec3> sites) const {
+  [[nodiscard]] bool others_own_none(const Vec3 (&point)[count],
+                                     const RegionId (&owner)[count]) const {
     for (std::size_t o = 0; o < others.size(); ++o) {
       for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 away = point[i] - sites[owner[i]];
-        const Vec3 other = point[i] - sites[others[o]];
+        const Vec3 away = point[i] - site(owner[i]);
+        const Vec3 other = point[i] - site(others[o]);
         if (!(dot(away, away) <= dot(other, other))) return false;
       }
     }
@@ -147,7 +186,8 @@ class Polygon {
 
   [[nodiscard]] bool is_empty() const { return size_ == 0; }
 
-  [[nodiscard]] PieceMoments moments(const CutTriangle& triangle) const {
+  template <class Measure>
+  [[nodiscard]] PieceMoments moments(const CutTriangle<Measure>& triangle) const {
     PieceMoments sum;
     for (std::size_t i = 2; i < size_; ++i) {
       const InTriangle& p = vertex_[0];
@@ -189,9 +229,9 @@ class Bisector {
 };
 
 /// Any labels and others: each site's piece is what the bisectors with all others leave.
-template <class Emit>
-void cut_in_pieces(const CutTriangle& triangle, RegionId main, const MomentUnit& unit,
-                   std::span<const Vec3> sites, Emit&& emit) {
+template <class Measure, class Emit>
+void cut_in_pieces(const CutTriangle<Measure>& triangle, RegionId main, const MomentUnit& unit,
+                   Emit&& emit) {
   Sites candidates;
   candidates.add(main);
   for (const RegionId r : triangle.at) candidates.add(r);
@@ -200,27 +240,28 @@ void cut_in_pieces(const CutTriangle& triangle, RegionId main, const MomentUnit&
     Polygon polygon;
     for (std::size_t j = 0; j < candidates.size(); ++j) {
       if (i == j) continue;
-      const Bisector side(sites[candidates[i]], sites[candidates[j]]);
+      const Bisector side(triangle.site(candidates[i]), triangle.site(candidates[j]));
       const double f[3] = {side(triangle.corner[0]), side(triangle.corner[1]),
                            side(triangle.corner[2])};
       polygon.clip(f, candidates[i] < candidates[j]);
     }
-    if (!polygon.is_empty()) emit(candidates[i], unit.round(polygon.moments(triangle)));
+    if (!polygon.is_empty())
+      emit(candidates[i], triangle.measure.round(unit, polygon.moments(triangle)));
   }
 }
 
 /// Two corners are the main site's, and the bisector cuts the third one off. False where it is not
 /// so; then nothing is emitted.
-template <class Emit>
-bool cut_corner_off(const CutTriangle& triangle, std::size_t odd, const MomentUnit& unit,
-                    std::span<const Vec3> sites, Emit&& emit) {
+template <class Measure, class Emit>
+bool cut_corner_off(const CutTriangle<Measure>& triangle, std::size_t odd, const MomentUnit& unit,
+                    Emit&& emit) {
   const RegionId own = triangle.at[odd];
   const RegionId main = triangle.at[(odd + 1) % 3];
   if (own == no_id || main == no_id) return false;
   const Vec3& p = triangle.corner[odd];
   const Vec3& q = triangle.corner[(odd + 1) % 3];
   const Vec3& r = triangle.corner[(odd + 2) % 3];
-  const Bisector side(sites[own], sites[main]);
+  const Bisector side(triangle.site(own), triangle.site(main));
   const double at_p = side(p);
   const double at_q = side(q);
   const double at_r = side(r);
@@ -229,23 +270,23 @@ bool cut_corner_off(const CutTriangle& triangle, std::size_t odd, const MomentUn
   const double to_r = at_p < 0 ? at_p / (at_p - at_r) : 0;
   const Vec3 on_q = p + to_q * (q - p);
   const Vec3 on_r = p + to_r * (r - p);
-  if (!triangle.others_own_none({p, on_q, on_r, q, r}, {own, own, own, main, main}, sites)) {
+  if (!triangle.others_own_none({p, on_q, on_r, q, r}, {own, own, own, main, main})) {
     return false;
   }
-  emit(own, unit.round(moments_of_triangle(p, on_q, on_r, to_q * to_r * triangle.mass)));
+  emit(own, triangle.measure.round(
+                unit, moments_of_triangle(p, on_q, on_r, to_q * to_r * triangle.mass)));
   return true;
 }
 
 /// Three sites have a corner each, and meet in a point of the triangle, from which a border runs to
 /// each edge. False where it is not so; then nothing is emitted.
-template <class Emit>
-bool cut_about_point(const CutTriangle& triangle, const MomentUnit& unit,
-                     std::span<const Vec3> sites, Emit&& emit) {
+template <class Measure, class Emit>
+bool cut_about_point(const CutTriangle<Measure>& triangle, const MomentUnit& unit, Emit&& emit) {
   const auto& [a, b, c] = triangle.at;
   if (a == no_id || b == no_id || c == no_id) return false;
   const auto& [at_a, at_b, at_c] = triangle.corner;
-  const Bisector ab(sites[a], sites[b]);
-  const Bisector ac(sites[a], sites[c]);
+  const Bisector ab(triangle.site(a), triangle.site(b));
+  const Bisector ac(triangle.site(a), triangle.site(c));
   const double f[3] = {ab(at_a), ab(at_b), ab(at_c)};
   const double g[3] = {ac(at_a), ac(at_b), ac(at_c)};
   const double b_less_c[2] = {g[1] - f[1], g[2] - f[2]};  // at b and c
@@ -265,31 +306,31 @@ bool cut_about_point(const CutTriangle& triangle, const MomentUnit& unit,
   if (triangle.others.size() > 0 &&
       !triangle.others_own_none({at_a, at_b, at_c, triangle.point(on_ab), triangle.point(on_ac),
                                  triangle.point(on_bc), triangle.point(middle)},
-                                {a, b, c, a, a, b, a}, sites)) {
+                                {a, b, c, a, a, b, a})) {
     return false;
   }
-  emit(b, unit.round(Polygon({{1, 0}, on_bc, middle, on_ab}).moments(triangle)));
-  emit(c, unit.round(Polygon({{0, 1}, on_ac, middle, on_bc}).moments(triangle)));
+  emit(b, triangle.measure.round(unit, Polygon({{1, 0}, on_bc, middle, on_ab}).moments(triangle)));
+  emit(c, triangle.measure.round(unit, Polygon({{0, 1}, on_ac, middle, on_bc}).moments(triangle)));
   return true;
 }
 
 }  // namespace cell_pieces_detail
 
-template <class Emit>
+template <class Measure, class Emit>
 void for_each_piece(const FineMesh& mesh, const MomentUnit& unit, TriangleId t,
                     std::span<const RegionId> labels, std::span<const Vec3> sites, Emit&& emit) {
   using namespace cell_pieces_detail;
   const auto& [a, b, c] = mesh.triangles[t];
   if (labels[a] == labels[b] && labels[b] == labels[c]) return;
-  const CutTriangle triangle(mesh, t, labels);
+  const CutTriangle<Measure> triangle(mesh, t, labels, sites);
   const auto& at = triangle.at;
   if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) {
     const std::size_t odd = at[1] == at[2] ? 0 : at[0] == at[2] ? 1 : 2;
-    if (cut_corner_off(triangle, odd, unit, sites, emit)) return;
-  } else if (cut_about_point(triangle, unit, sites, emit)) {
+    if (cut_corner_off(triangle, odd, unit, emit)) return;
+  } else if (cut_about_point(triangle, unit, emit)) {
     return;
   }
-  cut_in_pieces(triangle, main_site(mesh, t, labels), unit, sites, emit);
+  cut_in_pieces(triangle, main_site(mesh, t, labels), unit, emit);
 }
 
 }  // namespace geolloyd

@@ -19,9 +19,8 @@ class Path {
   Path(const FineMesh& mesh, std::vector<VertexId> vertices, bool is_closed)
       : mesh_(mesh), vertices_(std::move(vertices)), is_closed_(is_closed), arc_(1, 0) {
     for (std::size_t i = 0; i < edges(); ++i) {
-      const double edge = norm(position(i + 1) - position(i));
-      length_ += edge;
-      arc_.push_back(arc_.back() + edge * ((resolution(i) + resolution(i + 1)) / 2));
+      length_ += norm(position(i + 1) - position(i));
+      arc_.push_back(arc_.back() + mesh_.sized_length(vertices_[i], vertices_[(i + 1) % size()]));
     }
   }
 
@@ -232,10 +231,13 @@ Vec3 point_at(const FineMesh& mesh, const Chain& chain, double at) {
   return length > 0 ? Vec3(a + (b - a) * ((at - chain.arc[edge]) / length)) : a;
 }
 
-double resolution_at(const FineMesh& mesh, const Chain& chain, double at) {
+// Of a displacement, as edges are counted there.
+double sized_length(const FineMesh& mesh, const Chain& chain, double at, const Vec3& displacement) {
   const std::size_t edge = edge_at(chain, at);
-  return (mesh.resolution_at(chain.vertices[edge]) + mesh.resolution_at(chain.vertices[edge + 1])) /
-         2;
+  const VertexId a = chain.vertices[edge];
+  const VertexId b = chain.vertices[edge + 1];
+  return mesh.length_between(a, b, displacement) *
+         ((mesh.resolution_at(a) + mesh.resolution_at(b)) / 2);
 }
 
 // How often `spacing` goes into `length`, and no more than a chain has edges.
@@ -255,7 +257,7 @@ double length_of_chords(const FineMesh& mesh, const Chain& chain, double spacing
   for (std::size_t i = 1; i <= count; ++i) {
     const auto end = static_cast<double>(i);
     const Vec3 next = point_at(mesh, chain, place(end));
-    sum += norm(next - last) * resolution_at(mesh, chain, place(end - 0.5));
+    sum += sized_length(mesh, chain, place(end - 0.5), next - last);
     last = next;
   }
   return sum;
@@ -368,7 +370,7 @@ class ChainCutter {
       const Vec3 a = point_at(mesh_, chain, from);
       const Vec3 b = point_at(mesh_, chain, to);
       const Vec3 middle = point_at(mesh_, chain, (from + to) / 2);
-      const double sag = norm(middle - (a + b) / 2) * resolution_at(mesh_, chain, (from + to) / 2);
+      const double sag = sized_length(mesh_, chain, (from + to) / 2, middle - (a + b) / 2);
       largest = std::max(largest, sag / (to - from));
     }
     return largest;

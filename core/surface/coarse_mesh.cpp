@@ -83,10 +83,12 @@ class Coarsener {
     });
     result_.mesh.positions.assign(roots.size(), Vec3::Zero());
     if (!finer_.resolution.empty()) result_.mesh.resolution.assign(roots.size(), 0);
+    if (!finer_.metric.empty()) result_.mesh.metric.assign(roots.size(), Metric::zero());
   }
 
   void place_vertices() {
     const bool has_resolution = !finer_.resolution.empty();
+    const bool has_metric = !finer_.metric.empty();
     std::vector<double> weight(result_.mesh.positions.size(), 0);
     for_runs([&](VertexId begin, VertexId end) {
       for (VertexId v = begin; v < end; ++v) {
@@ -98,11 +100,13 @@ class Coarsener {
         if (has_resolution) {
           result_.mesh.resolution[result_.vertex_of[v]] += area * finer_.resolution[v];
         }
+        if (has_metric) result_.mesh.metric[result_.vertex_of[v]] += area * finer_.metric[v];
       }
     });
     parallel_for(executor_, weight.size(), small_items, [&](std::size_t i) {
       result_.mesh.positions[i] /= weight[i];
       if (has_resolution) result_.mesh.resolution[i] /= weight[i];
+      if (has_metric) result_.mesh.metric[i] *= 1 / weight[i];
     });
   }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/types.h"
 #include "core/base/vec3.h"
+#include "core/mesh/mesh_quality.h"
 
 namespace geolloyd {
 namespace {
@@ -25,8 +26,12 @@ struct SideOfEdge {
 
 class EdgeFlipper {
  public:
-  EdgeFlipper(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept)
-      : mesh_(mesh), kept_(kept), across_(mesh.triangles.size(), {no_id, no_id, no_id}) {
+  EdgeFlipper(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept,
+              std::span<const Metric> metric)
+      : mesh_(mesh),
+        kept_(kept),
+        metric_(metric),
+        across_(mesh.triangles.size(), {no_id, no_id, no_id}) {
     connect();
   }
 
@@ -105,10 +110,7 @@ class EdgeFlipper {
 
   // Of the triangle's angles: that of the smallest.
   [[nodiscard]] double largest_cosine(VertexId a, VertexId b, VertexId c) const {
-    const Vec3 ab = normalized(at(b) - at(a));
-    const Vec3 bc = normalized(at(c) - at(b));
-    const Vec3 ca = normalized(at(a) - at(c));
-    return -std::min({dot(ab, bc), dot(bc, ca), dot(ca, ab)});
+    return cosine_of_smallest_angle(corners_of(mesh_, {a, b, c}, metric_));
   }
 
   [[nodiscard]] Vec3 normal(VertexId a, VertexId b, VertexId c) const {
@@ -163,6 +165,7 @@ class EdgeFlipper {
 
   Mesh& mesh_;
   std::span<const std::array<VertexId, 2>> kept_;
+  std::span<const Metric> metric_;
   std::vector<std::array<TriangleId, 3>> across_;  // per triangle: beyond the edge opposite to each
                                                    // corner
   std::vector<Side> queue_;
@@ -170,8 +173,9 @@ class EdgeFlipper {
 
 }  // namespace
 
-std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept) {
-  return EdgeFlipper(mesh, kept).run();
+std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept,
+                       std::span<const Metric> metric) {
+  return EdgeFlipper(mesh, kept, metric).run();
 }
 
 }  // namespace geolloyd

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/mesh/metric.h"
 #include "geolloyd/mesh.h"
 
 namespace geolloyd {
@@ -12,7 +13,9 @@ namespace geolloyd {
 /// triangles larger (Lawson 1977). Triangles that meet at more than 30 degrees, boundary edges, and
 /// edges whose flip would make one that is there already stay. So the topology stays, and creases.
 /// Returns how many it flipped.
-/// `kept` (each ascending; ascending) are not flipped either.
-std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept = {});
+/// `kept` (each ascending; ascending) are not flipped either. Angles are those in `metric`, of each
+/// vertex, if there is one.
+std::size_t flip_edges(Mesh& mesh, std::span<const std::array<VertexId, 2>> kept = {},
+                       std::span<const Metric> metric = {});
 
 }  // namespace geolloyd

@@ -107,6 +107,8 @@ void connect(FineMesh& mesh, Executor& executor) {
   mesh.whole_area = 0;
   mesh.whole_sized_area = 0;
   mesh.whole_mass = 0;
+  mesh.largest_trace = 1;
+  for (const Metric& m : mesh.metric) mesh.largest_trace = std::max(mesh.largest_trace, m.trace());
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     mesh.whole_area += mesh.area[t];
     mesh.whole_sized_area += mesh.sized_area(t);

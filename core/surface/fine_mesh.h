@@ -8,6 +8,7 @@
 #include "core/base/bounding_box.h"
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/metric.h"
 
 namespace geolloyd {
 
@@ -25,6 +26,8 @@ struct FineMesh {
   std::vector<double> area;        ///< per triangle; 0 where it stands for no surface
   std::vector<double> resolution;  ///< per vertex: how many times shorter than the spacing edges
                                    ///< are to be there; empty: 1 everywhere
+  std::vector<Metric> metric;      ///< per vertex, with the determinant 1 along the surface: the
+                                   ///< shape of cells there; empty: they are round
   std::vector<Triangle> across;    ///< per corner: the vertex beyond the edge opposite to it, or
                                  ///< no_id where the edge does not have two triangles, or is closed
   std::vector<std::uint32_t> first_neighbour;  ///< per vertex, and one more
@@ -34,6 +37,7 @@ struct FineMesh {
   double whole_area = 0;
   double whole_sized_area = 0;
   double whole_mass = 0;
+  double largest_trace = 1;  ///< of the metric, at least 1
 
   [[nodiscard]] std::size_t vertex_count() const { return positions.size(); }
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size(); }
@@ -46,10 +50,33 @@ struct FineMesh {
   [[nodiscard]] double resolution_at(VertexId v) const {
     return resolution.empty() ? 1 : resolution[v];
   }
+  /// Across the narrowest way through a cell there.
+  [[nodiscard]] double finest_at(VertexId v) const {
+    return metric.empty() ? resolution_at(v) : resolution_at(v) * metric[v].largest_stretch();
+  }
   /// The mean of its corners'.
   [[nodiscard]] double resolution_of(TriangleId t) const {
     const auto& [a, b, c] = triangles[t];
     return resolution.empty() ? 1 : (resolution[a] + resolution[b] + resolution[c]) / 3;
+  }
+  /// The mean of its corners'. Of a mesh with a metric.
+  [[nodiscard]] Metric metric_of(TriangleId t) const {
+    const auto& [a, b, c] = triangles[t];
+    return (1.0 / 3) * (metric[a] + metric[b] + metric[c]);
+  }
+  /// How many spacings an edge counts for in a unit frame with the spacing 1.
+  [[nodiscard]] double sized_length(VertexId a, VertexId b) const {
+    return length_between(a, b, positions[b] - positions[a]) *
+           ((resolution_at(a) + resolution_at(b)) / 2);
+  }
+  /// Of a displacement near two vertices, in their mean metric.
+  [[nodiscard]] double length_between(VertexId a, VertexId b, const Vec3& displacement) const {
+    return metric.empty() ? norm(displacement)
+                          : (0.5 * (metric[a] + metric[b])).length(displacement);
+  }
+  /// Of a displacement from or to a vertex, in its metric.
+  [[nodiscard]] double square_at(VertexId v, const Vec3& displacement) const {
+    return metric.empty() ? dot(displacement, displacement) : metric[v].square(displacement);
   }
   /// A triangle's area in proportion to the number of cells on it.
   [[nodiscard]] double sized_area(TriangleId t) const {

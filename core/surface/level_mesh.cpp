@@ -67,7 +67,7 @@ void LevelMeshes::add_coarser(double spacing, Executor& executor) {
   std::vector<std::uint8_t> grid_level(finer.patch.size());
   parallel_for(executor, grid_level.size(), small_items, [&](std::size_t v) {
     grid_level[v] = grid_level_for(distance_in[finer.patch[v]] /
-                                   finer.mesh->resolution_at(static_cast<VertexId>(v)));
+                                   finer.mesh->finest_at(static_cast<VertexId>(v)));
   });
   CoarseMesh coarse = coarsen(*finer.mesh, {finer.chain, grid_level}, executor);
   const auto before = static_cast<double>(finer.mesh->vertex_count());

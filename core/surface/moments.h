@@ -4,6 +4,7 @@
 
 #include "core/base/loops.h"
 #include "core/base/vec3.h"
+#include "core/mesh/metric.h"
 
 namespace geolloyd {
 
@@ -45,14 +46,49 @@ struct Moments {
   friend bool operator==(const Moments&, const Moments&) = default;
 };
 
+/// The integral of a metric, as integers.
+struct MetricIntegral {
+  std::int64_t parts[6] = {0, 0, 0, 0, 0, 0};  ///< xx, xy, xz, yy, yz, zz
+
+  MetricIntegral& operator+=(const MetricIntegral& m) {
+    for (int i = 0; i < 6; ++i) parts[i] += m.parts[i];
+    return *this;
+  }
+  MetricIntegral& operator-=(const MetricIntegral& m) {
+    for (int i = 0; i < 6; ++i) parts[i] -= m.parts[i];
+    return *this;
+  }
+  friend bool operator==(const MetricIntegral&, const MetricIntegral&) = default;
+};
+
+/// What a metric M makes of moments: the integrals of M, of M x and of x^T M x.
+struct MetricMoments {
+  Moments moments;  ///< `first` of M x, `second` of x^T M x
+  MetricIntegral metric;
+
+  MetricMoments& operator+=(const MetricMoments& m) {
+    moments += m.moments;
+    metric += m.metric;
+    return *this;
+  }
+  MetricMoments& operator-=(const MetricMoments& m) {
+    moments -= m.moments;
+    metric -= m.metric;
+    return *this;
+  }
+  friend MetricMoments operator-(MetricMoments a, const MetricMoments& b) { return a -= b; }
+  friend bool operator==(const MetricMoments&, const MetricMoments&) = default;
+};
+
 /// The size of the integers' unit: a power of two, so small that rounding is nothing, and so large
 /// that the moments of the whole surface are below 2^62.
 struct MomentUnit {
   double per_unit = 1;  ///< integers per 1
 
   MomentUnit() = default;
-  explicit MomentUnit(double whole_area) {
-    constexpr double most = 0x1p60;  // |x|^2 <= 3
+  /// `longest_square` bounds the square of the length of unit vectors.
+  explicit MomentUnit(double whole_area, double longest_square = 1) {
+    const double most = 0x1p60 / longest_square;  // |x|^2 <= 3
     while (whole_area * per_unit > most) per_unit /= 2;
     while (whole_area > 0 && whole_area * per_unit * 2 <= most) per_unit *= 2;
   }
@@ -61,6 +97,12 @@ struct MomentUnit {
     return {to_integer(piece.area),
             {to_integer(piece.first.x()), to_integer(piece.first.y()), to_integer(piece.first.z())},
             to_integer(piece.second)};
+  }
+  [[nodiscard]] MetricMoments round(const PieceMoments& piece, const Metric& metric) const {
+    const Metric whole = piece.area * metric;
+    return {round(piece),
+            {{to_integer(whole.xx), to_integer(whole.xy), to_integer(whole.xz),
+              to_integer(whole.yy), to_integer(whole.yz), to_integer(whole.zz)}}};
   }
   [[nodiscard]] double area(const Moments& m) const { return to_double(m.area); }
   /// Of moments with an area.
@@ -71,11 +113,24 @@ struct MomentUnit {
   }
   /// The integral of |x - site|^2.
   [[nodiscard]] double energy(const Moments& m, const Vec3& site) const {
-    const Vec3 first(static_cast<double>(m.first[0]), static_cast<double>(m.first[1]),
-                     static_cast<double>(m.first[2]));
-    return (static_cast<double>(m.second) - 2 * dot(site, first) +
+    return (static_cast<double>(m.second) - 2 * dot(site, first(m)) +
             dot(site, site) * static_cast<double>(m.area)) /
            per_unit;
+  }
+  /// The integral of (x - site)^T M (x - site).
+  [[nodiscard]] double energy(const Moments& m, const MetricIntegral& metric,
+                              const Vec3& site) const {
+    return (static_cast<double>(m.second) - 2 * dot(site, first(m)) +
+            in_units(metric).square(site)) /
+           per_unit;
+  }
+  /// Of the latter energy as a function of the site.
+  [[nodiscard]] Vec3 gradient(const Moments& m, const MetricIntegral& metric,
+                              const Vec3& site) const {
+    return (in_units(metric) * site - first(m)) * (2 / per_unit);
+  }
+  [[nodiscard]] Metric metric(const MetricIntegral& m) const {
+    return (1 / per_unit) * in_units(m);
   }
 
  private:
@@ -83,6 +138,14 @@ struct MomentUnit {
     return static_cast<std::int64_t>(x * per_unit);
   }
   [[nodiscard]] double to_double(std::int64_t x) const { return static_cast<double>(x) / per_unit; }
+  static Vec3 first(const Moments& m) {
+    return {static_cast<double>(m.first[0]), static_cast<double>(m.first[1]),
+            static_cast<double>(m.first[2])};
+  }
+  static Metric in_units(const MetricIntegral& m) {
+    const auto part = [&](int i) { return static_cast<double>(m.parts[i]); };
+    return {part(0), part(1), part(2), part(3), part(4), part(5)};
+  }
 };
 
 }  // namespace geolloyd

@@ -20,8 +20,7 @@ struct NearestLabel {
 inline NearestLabel nearest_label(const FineMesh& mesh, std::span<const RegionId> labels,
                                   std::span<const Vec3> sites, VertexId v) {
   const auto square_distance = [&](RegionId r) {
-    const Vec3 away = mesh.positions[v] - sites[r];
-    return dot(away, away);
+    return mesh.square_at(v, mesh.positions[v] - sites[r]);
   };
   const RegionId own = labels[v];
   NearestLabel best{own};

@@ -18,6 +18,12 @@ std::string text_of(const Moments& m) {
          std::to_string(m.second);
 }
 
+std::string text_of(const MetricIntegral& m) {
+  std::string text = "parts";
+  for (const std::int64_t part : m.parts) text.append(" ").append(std::to_string(part));
+  return text;
+}
+
 }  // namespace
 
 PairedSurfaceEngine::PairedSurfaceEngine(std::unique_ptr<SurfaceEngine> expected,
@@ -38,17 +44,13 @@ void PairedSurfaceEngine::assign(std::vector<RegionId> labels,
   tested_->assign(std::move(labels), is_fixed);
 }
 
-std::span<const Moments> PairedSurfaceEngine::evaluate(std::span<const Vec3> sites) {
-  std::span<const Moments> expected;
-  std::span<const Moments> tested;
-  {
-    const Timed timed(comparison_.expected_seconds);
-    expected = expected_->evaluate(sites);
-  }
-  {
-    const Timed timed(comparison_.tested_seconds);
-    tested = tested_->evaluate(sites);
-  }
+const Cells& PairedSurfaceEngine::evaluate(std::span<const Vec3> sites) {
+  const auto timed_evaluate = [&](SurfaceEngine& engine, double& seconds) -> const Cells& {
+    const Timed timed(seconds);
+    return engine.evaluate(sites);
+  };
+  const Cells& expected = timed_evaluate(*expected_, comparison_.expected_seconds);
+  const Cells& tested = timed_evaluate(*tested_, comparison_.tested_seconds);
   ++comparison_.evaluations;
   compare_labels();
   compare_moments(expected, tested);
@@ -78,15 +80,19 @@ void PairedSurfaceEngine::compare_labels() const {
          name_of_label(tested[v]));
 }
 
-void PairedSurfaceEngine::compare_moments(std::span<const Moments> expected,
-                                          std::span<const Moments> tested) const {
+void PairedSurfaceEngine::compare_moments(const Cells& expected, const Cells& tested) const {
   if (expected.size() != tested.size()) {
     differ("number of cells", std::to_string(expected.size()), std::to_string(tested.size()));
   }
   for (std::size_t r = 0; r < expected.size(); ++r) {
-    if (expected[r] == tested[r]) continue;
-    differ("moments of the cell of site " + std::to_string(r), text_of(expected[r]),
-           text_of(tested[r]));
+    if (expected.moments[r] == tested.moments[r]) continue;
+    differ("moments of the cell of site " + std::to_string(r), text_of(expected.moments[r]),
+           text_of(tested.moments[r]));
+  }
+  for (std::size_t r = 0; r < expected.metric.size(); ++r) {
+    if (expected.metric[r] == tested.metric[r]) continue;
+    differ("metric of the cell of site " + std::to_string(r), text_of(expected.metric[r]),
+           text_of(tested.metric[r]));
   }
 }
 

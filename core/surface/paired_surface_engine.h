@@ -31,15 +31,15 @@ class PairedSurfaceEngine final : public SurfaceEngine {
                       std::unique_ptr<SurfaceEngine> tested, SurfaceComparison& comparison);
 
   void assign(std::vector<RegionId> labels, std::span<const std::uint8_t> is_fixed) override;
-  std::span<const Moments> evaluate(std::span<const Vec3> sites) override;
+  const Cells& evaluate(std::span<const Vec3> sites) override;
   [[nodiscard]] const std::vector<RegionId>& labels() const override { return expected_->labels(); }
-  [[nodiscard]] std::span<const Moments> cells() const override { return expected_->cells(); }
+  [[nodiscard]] const Cells& cells() const override { return expected_->cells(); }
 
  private:
   [[noreturn]] void differ(const std::string& what, const std::string& expected,
                            const std::string& tested) const;
   void compare_labels() const;
-  void compare_moments(std::span<const Moments> expected, std::span<const Moments> tested) const;
+  void compare_moments(const Cells& expected, const Cells& tested) const;
 
   std::unique_ptr<SurfaceEngine> expected_;
   std::unique_ptr<SurfaceEngine> tested_;

@@ -9,16 +9,16 @@ namespace {
 
 class Balance {
  public:
-  Balance(const LevelMesh& level, std::span<const Moments> cells, const SurfaceSites& sites,
+  Balance(const LevelMesh& level, const Cells& cells, const SurfaceSites& sites,
           std::span<const RegionId> labels)
       : level_(level),
         sites_(sites),
         farthest_(farthest_vertices(*level.mesh, sites.positions, level.is_on_chain, labels)),
         energy_(sites.size(), 0),
         is_removed_(sites.size(), 0) {
-    const MomentUnit unit(level.mesh->whole_mass);
+    const CellEnergies energies(*level.mesh, cells);
     for (RegionId r = 0; r < sites.size(); ++r) {
-      if (cells[r].area > 0) energy_[r] = unit.energy(cells[r], sites.positions[r]);
+      if (energies.area(r) > 0) energy_[r] = energies.at(r, sites.positions[r]);
     }
   }
 
@@ -93,8 +93,7 @@ class Balance {
 }  // namespace
 
 void balance_sites(const LevelMesh& level, std::span<const std::size_t> wanted_free,
-                   std::span<const Moments> cells, SurfaceSites& sites,
-                   std::vector<RegionId>& labels) {
+                   const Cells& cells, SurfaceSites& sites, std::vector<RegionId>& labels) {
   Balance balance(level, cells, sites, labels);
   balance.run(wanted_free);
   remove_sites(balance.is_removed(), sites, labels);

@@ -15,8 +15,7 @@ namespace geolloyd {
 /// any case, at the cost of the least ones. Sites without a vertex go. `cells` are those of `sites`
 /// with these labels. Ties go to the smaller id.
 void balance_sites(const LevelMesh& level, std::span<const std::size_t> wanted_free,
-                   std::span<const Moments> cells, SurfaceSites& sites,
-                   std::vector<RegionId>& labels);
+                   const Cells& cells, SurfaceSites& sites, std::vector<RegionId>& labels);
 
 /// Takes out the sites that are marked, none on the boundary. Their vertices lose their labels.
 void remove_sites(std::span<const std::uint8_t> is_removed, SurfaceSites& sites,

@@ -31,7 +31,7 @@ double ordered_sum(Executor& executor, std::size_t count, Term&& term) {
 struct State {
   Vectors sites;
   Vectors gradient;
-  std::vector<double> area;  // of each cell
+  Cells cells;
   double energy = 0;
 };
 
@@ -46,7 +46,7 @@ class Descent {
  public:
   Descent(const FineMesh& mesh, SurfaceEngine& engine, std::size_t site_count,
           const DescentOptions& options, Executor& executor)
-      : unit_(mesh.whole_mass),
+      : mesh_(mesh),
         engine_(engine),
         options_(options),
         executor_(executor),
@@ -74,17 +74,16 @@ class Descent {
  private:
   State evaluate(Vectors sites) {
     State state{std::move(sites), {}, {}, 0};
-    const std::span<const Moments> cells = engine_.evaluate(state.sites);
+    state.cells = engine_.evaluate(state.sites);
+    const CellEnergies energies(mesh_, state.cells);
     const std::size_t count = state.sites.size();
     state.gradient.assign(count, Vec3::Zero());
-    state.area.resize(count);
     state.energy = ordered_sum(executor_, count, [&](std::size_t i) {
       const Vec3& site = state.sites[i];
-      state.area[i] = unit_.area(cells[i]);
-      if (state.area[i] > 0 && options_.stays[i] == 0) {
-        state.gradient[i] = (site - unit_.centroid(cells[i])) * (2 * state.area[i]);
+      if (energies.area(i) > 0 && options_.stays[i] == 0) {
+        state.gradient[i] = energies.gradient(i, site);
       }
-      return unit_.energy(cells[i], site);
+      return energies.at(i, site);
     });
     return state;
   }
@@ -92,7 +91,7 @@ class Descent {
   // False where no step lowers the energy.
   bool step_from(const State& now, State& next) {
     while (true) {
-      const Vectors direction = limited(downhill(now));
+      const Vectors direction = limited(now, downhill(now));
       const double slope = sum_of_dots(direction, now.gradient);
       if (slope < 0 && search_line(now, direction, slope, next)) return true;
       if (pairs_.empty()) return false;
@@ -124,13 +123,8 @@ class Descent {
       factor.push_back(f);
       for_sites([&](std::size_t i) { q[i] -= f * pair.change[i]; });
     }
-    for_sites([&](std::size_t i) {
-      if (now.area[i] > 0) {
-        q[i] *= -1 / (2 * now.area[i]);
-      } else {
-        q[i].setZero();
-      }
-    });
+    const CellEnergies energies(mesh_, now.cells);
+    for_sites([&](std::size_t i) { q[i] = energies.newton_step(i, q[i]); });
     for (std::size_t k = pairs_.size(); k-- > 0;) {
       const StepPair& pair = pairs_[k];
       const double f = factor[k] + sum_of_dots(pair.change, q) / pair.curvature;
@@ -139,9 +133,10 @@ class Descent {
     return q;
   }
 
-  [[nodiscard]] Vectors limited(Vectors direction) {
+  [[nodiscard]] Vectors limited(const State& now, Vectors direction) {
+    const CellEnergies energies(mesh_, now.cells);
     for_sites([&](std::size_t i) {
-      const double length = norm(direction[i]);
+      const double length = energies.mean_length(i, direction[i]);
       const double longest = options_.resolution.empty()
                                  ? options_.longest_move
                                  : options_.longest_move / options_.resolution[i];
@@ -176,7 +171,7 @@ class Descent {
     parallel_for(executor_, site_count_, small_items, visit);
   }
 
-  MomentUnit unit_;
+  const FineMesh& mesh_;
   SurfaceEngine& engine_;
   const DescentOptions& options_;
   Executor& executor_;

@@ -22,9 +22,9 @@ struct DescentOptions {
 
 /// Moves `sites` downhill in energy: the sum over cells of the integral of |x - site|^2, whose
 /// gradient is 2 m (site - centroid), m the cell's area. L-BFGS with 7 pairs, preconditioned by
-/// 1 / (2 m), with a backtracking line search (Nocedal and Wright 2006, 7.2 and 3.1; for CVT: Liu
-/// et al. 2009). The energy never rises. Returns that of the result. The engine's labels are those
-/// of the result.
+/// 1 / (2 m), or in a metric by the inverse of twice its integral, with a backtracking line search
+/// (Nocedal and Wright 2006, 7.2 and 3.1; for CVT: Liu et al. 2009). The energy never rises.
+/// Returns that of the result. The engine's labels are those of the result.
 double descend(const FineMesh& mesh, SurfaceEngine& engine, std::vector<Vec3>& sites,
                const DescentOptions& options, Executor& executor = sequential());
 

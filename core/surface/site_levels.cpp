@@ -105,13 +105,19 @@ class LevelByLevel {
     SurfaceSites& sites = state.sites;
     const std::vector<double> resolution =
         resolution_at_sites(*on_->mesh, sites.size(), state.labels);
+    const std::vector<Metric> metric = metric_at_sites(*on_->mesh, sites.size(), state.labels);
     for (std::size_t r = 0; r < sites.size(); ++r) {
       if (sites.stays[r] != 0) continue;
       const double reach = share * (resolution.empty() ? spacing : spacing / resolution[r]);
+      Vec3 offset;
       for (int axis = 0; axis < 3; ++axis) {
         const double unit = random_unit(attempt, 3 * r + static_cast<std::size_t>(axis));
-        sites.positions[r][axis] += reach * (2 * unit - 1);
+        offset[axis] = reach * (2 * unit - 1);
       }
+      if (!metric.empty() && dot(offset, offset) > 0) {
+        offset *= share * spacing / metric[r].length(offset);
+      }
+      sites.positions[r] += offset;
     }
   }
 
@@ -120,7 +126,9 @@ class LevelByLevel {
     const auto on_chains = neighbours_on_chains(surface_.chains, chain_sites_.label);
     const LevelMesh& next = meshes_.at(level);
     chain_sites_ = place_chain_sites(surface_.input, surface_.chains, levels_[level].spacing);
-    Refinement refinement = refine_sites(state_.sites, adjacent, on_chains, chain_sites_);
+    Refinement refinement =
+        refine_sites(state_.sites, adjacent, on_chains, chain_sites_,
+                     metric_at_sites(*on_->mesh, state_.sites.size(), state_.labels));
     state_.labels =
         inherit_labels(next, refinement, state_.labels, meshes_.map(next, *on_), executor_);
     state_.sites = std::move(refinement.sites);

@@ -72,7 +72,13 @@ std::vector<Adjacency> adjacent_cells(const LevelMesh& level, std::span<const Re
 
 Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adjacent,
                         std::span<const std::array<RegionId, 2>> on_chains,
-                        const ChainSites& at_chains) {
+                        const ChainSites& at_chains, std::span<const Metric> metric) {
+  const auto midway = [&](RegionId a, RegionId b) -> Vec3 {
+    const Vec3& p = old.positions[a];
+    const Vec3& q = old.positions[b];
+    if (metric.empty()) return (p + q) / 2;
+    return p + (metric[a] + metric[b]).solve(metric[b] * Vec3(q - p));
+  };
   Refinement result{SurfaceSites(at_chains.sites), {}};
   result.heirs.resize(old.size());
   for (std::size_t r = old.on_chains; r < old.size(); ++r) {
@@ -84,7 +90,7 @@ Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adja
     for (const RegionId r : pair) {
       result.heirs[r].push_back(static_cast<RegionId>(result.sites.size()));
     }
-    result.sites.add((old.positions[pair[0]] + old.positions[pair[1]]) / 2, patch);
+    result.sites.add(midway(pair[0], pair[1]), patch);
   }
   return result;
 }
@@ -100,8 +106,9 @@ std::vector<RegionId> inherit_labels(const LevelMesh& level, const Refinement& r
     for (const RegionId r : refinement.heirs[old]) {
       if (refinement.sites.patch[r] != level.patch[v]) continue;
       const Vec3 away = level.mesh->positions[v] - refinement.sites.positions[r];
-      if (dot(away, away) < least) {
-        least = dot(away, away);
+      const double square = level.mesh->square_at(static_cast<VertexId>(v), away);
+      if (square < least) {
+        least = square;
         labels[v] = r;
       }
     }

@@ -37,9 +37,11 @@ std::vector<Adjacency> adjacent_cells(const LevelMesh& level, std::span<const Re
 
 /// Free sites stay, and each pair of adjacent cells gets a new free site midway, unless they are
 /// neighbours on a chain. Every new site then has six neighbours. Those on chains are replaced.
+/// Midway in `metric` (metric_at_sites()), if there is one: the square distances to both sites,
+/// each in its metric, have the least sum there.
 Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adjacent,
                         std::span<const std::array<RegionId, 2>> on_chains,
-                        const ChainSites& at_chains);
+                        const ChainSites& at_chains, std::span<const Metric> metric = {});
 
 /// Per vertex: the nearest heir in its patch of its old label's site, of equals the smallest; no_id
 /// where there is none. `old_label` is per vertex of a coarser mesh, of which `stands_for` names

@@ -36,7 +36,7 @@ class SiteRelaxer {
   /// Gives the engine's memory back. Nothing is relaxed after that.
   void release_engine() { engine_.reset(); }
   /// Moments of the cells after the last sweep.
-  [[nodiscard]] std::span<const Moments> cells() const { return engine_->cells(); }
+  [[nodiscard]] const Cells& cells() const { return engine_->cells(); }
 
   [[nodiscard]] bool is_interrupted() const { return is_interrupted_; }
   [[nodiscard]] const std::vector<SurfaceStep>& steps() const { return steps_; }

@@ -8,6 +8,7 @@
 
 #include "core/base/bucketing.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/surface/field_metric.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -119,10 +120,10 @@ void scale_until_enough(LengthField& field, Missing&& missing_factor) {
   field.multiply(missing_factor());
 }
 
-void check_range(const std::vector<double>& sizes) {
-  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+Sizing checked(Sizing sizing) {
+  const auto [least, most] = std::minmax_element(sizing.sizes.begin(), sizing.sizes.end());
   constexpr double widest = 1000;
-  if (*most <= widest * *least) return;
+  if (*most <= widest * *least) return sizing;
   throw InvalidInput("edge lengths: the longest is " + std::to_string(*most / *least) +
                      " times the shortest; 1000 times is the most");
 }
@@ -219,9 +220,25 @@ Sizing find_sizing(const Mesh& mesh, const MeshEdges& edges, std::span<const dou
   } else {
     field.limit(1);
   }
-  Sizing sizing = field.take_sizing();
-  check_range(sizing.sizes);
-  return sizing;
+  return checked(field.take_sizing());
+}
+
+Sizing find_sizing(const Mesh& mesh, const MeshEdges& edges, const SurfaceRemeshOptions& options,
+                   Executor& executor) {
+  const SizingOptions& sizing = options.sizing;
+  std::vector<double> lengths = wanted_lengths(mesh, sizing);
+  if (!lengths.empty()) return find_sizing(mesh, edges, lengths, options, executor);
+  if (!options.field.empty() && sizing.adapt == 0) {
+    lengths = lengths_of(options.field);
+    if (options.vertex_count > 0) return find_sizing(mesh, edges, lengths, options, executor);
+    LengthField field(mesh, edges, lengths, sizing.growth, executor);
+    field.limit(options.edge_length);
+    return checked(field.take_sizing());
+  }
+  if (options.vertex_count == 0) return {options.edge_length, {}};
+  double area = 0;
+  for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area += a;
+  return {spacing_of(area, static_cast<double>(options.vertex_count)), {}};
 }
 
 }  // namespace geolloyd

@@ -21,8 +21,8 @@ double spacing_of(double area, double sites);
 /// How many sites so far apart cover it.
 double sites_at(double area, double spacing);
 
-/// What `options` say, but for the curvature: lengths per vertex, or none. Throws InvalidInput
-/// where they do not fit the mesh, are not usable numbers above 0, or are given twice.
+/// What options say, but for the curvature: lengths per vertex, or none. Throws InvalidInput where
+/// they do not fit the mesh, are not usable numbers above 0, or are given twice.
 std::vector<double> wanted_lengths(const Mesh& mesh, const SizingOptions& options);
 /// Lengths in proportion to curvature^(-adapt/2), curvatures (curvature.h) from a tenth to a
 /// hundred times their mean.
@@ -38,5 +38,10 @@ void limit_growth(const Mesh& mesh, const MeshEdges& edges, double growth,
 /// InvalidInput where the longest is more than 1000 times the shortest.
 Sizing find_sizing(const Mesh& mesh, const MeshEdges& edges, std::span<const double> lengths,
                    const SurfaceRemeshOptions& options, Executor& executor = sequential());
+
+/// What options say, but for the curvature: sizes from wanted_lengths(), else from the field; none
+/// of neither.
+Sizing find_sizing(const Mesh& mesh, const MeshEdges& edges, const SurfaceRemeshOptions& options,
+                   Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -13,10 +13,6 @@ namespace {
 
 using Ends = std::array<VertexId, 2>;
 
-double edge_length(const Mesh& mesh, VertexId a, VertexId b) {
-  return norm(mesh.positions[a] - mesh.positions[b]);
-}
-
 // Opposite to each corner, the smaller end first.
 std::array<Ends, 3> edges_of(const Triangle& t) {
   return {ascending(t[1], t[2]), ascending(t[2], t[0]), ascending(t[0], t[1])};
@@ -30,7 +26,7 @@ std::array<Ends, 3> edges_of(const Triangle& t) {
 class Splitting {
  public:
   /// Only `candidates` may have long edges.
-  Splitting(Mesh& mesh, std::vector<TriangleId>& origin, std::vector<double>& sizes, double longest,
+  Splitting(Mesh& mesh, std::vector<TriangleId>& origin, EdgeSizes& sizes, double longest,
             const std::vector<TriangleId>& candidates)
       : mesh_(mesh), origin_(origin), sizes_(sizes), longest_(longest) {
     for (const TriangleId t : candidates) look_at(t);
@@ -67,15 +63,21 @@ class Splitting {
   [[nodiscard]] Vec3 middle(const Ends& ends) const {
     return (mesh_.positions[ends[0]] + mesh_.positions[ends[1]]) / 2;
   }
+  [[nodiscard]] double length(VertexId a, VertexId b) const {
+    const Vec3 edge = mesh_.positions[a] - mesh_.positions[b];
+    if (sizes_.metric.empty()) return norm(edge);
+    return (0.5 * (sizes_.metric[a] + sizes_.metric[b])).length(edge);
+  }
   [[nodiscard]] double longest_at(const Ends& ends) const {
-    return sizes_.empty() ? longest_ : longest_ * std::min(sizes_[ends[0]], sizes_[ends[1]]);
+    const std::vector<double>& sizes = sizes_.sizes;
+    return sizes.empty() ? longest_ : longest_ * std::min(sizes[ends[0]], sizes[ends[1]]);
   }
 
   // Where coordinates are too coarse for a middle, so that a half is nearly as long as the whole,
   // an edge is as short as it can be.
   [[nodiscard]] bool is_long(const Ends& ends) const {
-    const double length = edge_length(mesh_, ends[0], ends[1]);
-    if (!(length > longest_at(ends))) return false;
+    if (!(length(ends[0], ends[1]) > longest_at(ends))) return false;
+    const double length = norm(mesh_.positions[ends[0]] - mesh_.positions[ends[1]]);
     const Vec3 m = middle(ends);
     return norm(m - mesh_.positions[ends[0]]) < 0.75 * length &&
            norm(m - mesh_.positions[ends[1]]) < 0.75 * length;
@@ -101,9 +103,15 @@ class Splitting {
     for (const Ends& ends : level.edges) {
       const auto m = static_cast<VertexId>(mesh_.positions.size());
       mesh_.positions.push_back(middle(ends));
-      if (!sizes_.empty()) sizes_.push_back((sizes_[ends[0]] + sizes_[ends[1]]) / 2);
+      add_sizes_between(ends);
       for (const VertexId end : ends) add_if_long({end, m});
     }
+  }
+
+  void add_sizes_between(const Ends& ends) {
+    auto& [sizes, metric] = sizes_;
+    if (!sizes.empty()) sizes.push_back((sizes[ends[0]] + sizes[ends[1]]) / 2);
+    if (!metric.empty()) metric.push_back(0.5 * (metric[ends[0]] + metric[ends[1]]));
   }
 
   [[nodiscard]] VertexId middle_of(const Ends& ends, std::size_t level) const {
@@ -120,7 +128,7 @@ class Splitting {
     double longest = std::numeric_limits<double>::infinity();
     for (const Ends& ends : edges_of(t)) {
       if (!is_long(ends)) return true;
-      base = std::max(base, edge_length(mesh_, ends[0], ends[1]));
+      base = std::max(base, length(ends[0], ends[1]));
       longest = std::min(longest, longest_at(ends));
     }
     return 4 * triangle_area(mesh_, t) <= longest * base;
@@ -186,8 +194,7 @@ class Splitting {
   }
 
   [[nodiscard]] bool is_shorter_below(std::size_t i, std::size_t j) const {
-    return edge_length(mesh_, lower_[i + 1], upper_[j]) <=
-           edge_length(mesh_, lower_[i], upper_[j + 1]);
+    return length(lower_[i + 1], upper_[j]) <= length(lower_[i], upper_[j + 1]);
   }
 
   // With the longest of its halved edges first; of equals, the first one.
@@ -196,10 +203,10 @@ class Splitting {
     double longest = -1;
     for (std::size_t c = 0; c < 3; ++c) {
       const Triangle other = {t[c], t[(c + 1) % 3], t[(c + 2) % 3]};
-      const double length = edge_length(mesh_, other[0], other[1]);
-      if (length > longest && middle_of(ascending(other[0], other[1]), level) != no_id) {
+      const double own = length(other[0], other[1]);
+      if (own > longest && middle_of(ascending(other[0], other[1]), level) != no_id) {
         best = other;
-        longest = length;
+        longest = own;
       }
     }
     return best;
@@ -207,7 +214,7 @@ class Splitting {
 
   Mesh& mesh_;
   std::vector<TriangleId>& origin_;
-  std::vector<double>& sizes_;
+  EdgeSizes& sizes_;
   double longest_;
   std::vector<Ends> long_edges_;      // to be halved next
   std::vector<TriangleId> to_split_;  // with such edges
@@ -221,8 +228,8 @@ class Splitting {
 
 }  // namespace
 
-void split_long_edges(Mesh& mesh, std::vector<TriangleId>& origin, std::vector<double>& sizes,
-                      double longest, std::size_t vertex_limit) {
+void split_long_edges(Mesh& mesh, std::vector<TriangleId>& origin, EdgeSizes& sizes, double longest,
+                      std::size_t vertex_limit) {
   if (!(longest > 0)) return;
   std::vector<TriangleId> candidates(mesh.triangle_count());
   for (std::size_t t = 0; t < candidates.size(); ++t) candidates[t] = static_cast<TriangleId>(t);

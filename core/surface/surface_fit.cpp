@@ -88,8 +88,11 @@ struct Pull {
 class Fitter {
  public:
   Fitter(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
-         const Mesh& remesh, Executor& executor)
-      : held_(held), samples_(input.fine, labels, remesh.vertex_count()), executor_(executor) {
+         std::span<const Metric> metric, const Mesh& remesh, Executor& executor)
+      : held_(held),
+        metric_(metric),
+        samples_(input.fine, labels, remesh.vertex_count()),
+        executor_(executor) {
     mesh_.triangles = remesh.triangles;
     for (const Vec3& p : remesh.positions) mesh_.positions.push_back(input.frame.to_unit(p));
     at_ = bucket_sort<TriangleId>(executor, mesh_.positions.size(), mesh_.triangles.size(),
@@ -174,7 +177,7 @@ class Fitter {
   [[nodiscard]] double mean_quality() const {
     double sum = 0;
     for (const Triangle& t : mesh_.triangles) {
-      sum += triangle_quality(mesh_, t);
+      sum += triangle_quality(corners_of(mesh_, t, metric_));
     }
     return sum / static_cast<double>(mesh_.triangles.size());
   }
@@ -409,11 +412,7 @@ class Fitter {
 
   // Of the smallest angle.
   [[nodiscard]] double largest_cosine(TriangleId t) const {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    const Vec3 ab = normalized(mesh_.positions[b] - mesh_.positions[a]);
-    const Vec3 bc = normalized(mesh_.positions[c] - mesh_.positions[b]);
-    const Vec3 ca = normalized(mesh_.positions[a] - mesh_.positions[c]);
-    return -std::min({dot(ab, bc), dot(bc, ca), dot(ca, ab)});
+    return cosine_of_smallest_angle(corners_of(mesh_, mesh_.triangles[t], metric_));
   }
   [[nodiscard]] double largest_cosine_of_all() const {
     double largest = -1;
@@ -433,6 +432,7 @@ class Fitter {
   static constexpr double least_damping = 1e-30;
 
   std::size_t held_;
+  std::span<const Metric> metric_;  // per vertex; empty: none
   Samples samples_;
   Executor& executor_;
   Mesh mesh_;  // the remesh, unit frame
@@ -454,9 +454,10 @@ class Fitter {
 }  // namespace
 
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
-                         std::size_t held, Mesh& remesh, Executor& executor) {
+                         std::size_t held, std::span<const Metric> metric, Mesh& remesh,
+                         Executor& executor) {
   if (remesh.triangles.empty()) return {};
-  Fitter fitter(input, labels, held, remesh, executor);
+  Fitter fitter(input, labels, held, metric, remesh, executor);
   const FitResult result = fitter.run();
   for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
     const Vec3 move = fitter.move_of(v);

@@ -28,8 +28,10 @@ struct FitResult {
 /// the surface about them was from the remesh, and sideways as reluctantly as it takes to keep the
 /// mean quality of triangles within 0.0008 or, where the surface is too curved for that, 0.005. No
 /// angle gets smaller than the smallest one was, less 2 degrees, and no triangle turns by more than
-/// 30 degrees. All stay where the sum or the largest distance would grow.
+/// 30 degrees. Quality and angles are those in `metric`, of each vertex of the remesh, if there is
+/// one. All stay where the sum or the largest distance would grow.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
-                         std::size_t held, Mesh& remesh, Executor& executor = sequential());
+                         std::size_t held, std::span<const Metric> metric, Mesh& remesh,
+                         Executor& executor = sequential());
 
 }  // namespace geolloyd

@@ -29,14 +29,15 @@ SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
 struct UsableTriangles {
   Mesh mesh;
   std::vector<TriangleId> origin;
-  std::vector<double> sizes;  // per vertex; empty: 1 everywhere
+  EdgeSizes sizes;
 };
 
 UsableTriangles usable_triangles(const Mesh& mesh, const SurfaceInputOptions& options) {
   const std::span<const TriangleId> duplicates = options.duplicates;
   UsableTriangles usable;
   usable.mesh.positions = mesh.positions;
-  usable.sizes.assign(options.sizes.begin(), options.sizes.end());
+  usable.sizes.sizes.assign(options.sizes.begin(), options.sizes.end());
+  usable.sizes.metric.assign(options.metric.begin(), options.metric.end());
   usable.mesh.triangles.reserve(mesh.triangle_count());
   usable.origin.reserve(mesh.triangle_count());
   auto duplicate = duplicates.begin();
@@ -86,12 +87,14 @@ class SurfaceInputBuilder {
     std::erase_if(order, [&](std::uint32_t v) { return is_used[v] == 0; });
     std::vector<VertexId> place(mesh.vertex_count(), no_id);
     result_.fine.positions.resize(order.size());
-    const bool has_sizes = !usable_.sizes.empty();
-    if (has_sizes) result_.fine.resolution.resize(order.size());
+    const auto& [sizes, metric] = usable_.sizes;
+    if (!sizes.empty()) result_.fine.resolution.resize(order.size());
+    if (!metric.empty()) result_.fine.metric.resize(order.size());
     parallel_for(executor_, order.size(), small_items, [&](std::size_t i) {
       place[order[i]] = static_cast<VertexId>(i);
       result_.fine.positions[i] = mesh.positions[order[i]];
-      if (has_sizes) result_.fine.resolution[i] = 1 / usable_.sizes[order[i]];
+      if (!sizes.empty()) result_.fine.resolution[i] = 1 / sizes[order[i]];
+      if (!metric.empty()) result_.fine.metric[i] = metric[order[i]];
     });
     for (const VertexId v : options_.fixed_vertices) {
       if (place[v] != no_id) result_.fixed_vertices.push_back(place[v]);
@@ -211,8 +214,10 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
                                 Executor& executor) {
   UsableTriangles usable = usable_triangles(mesh, options);
   const CutVertices cut = cut_apart(usable.mesh, executor);
-  if (!usable.sizes.empty()) {
-    for (const VertexId v : cut.copy_of) usable.sizes.push_back(double{usable.sizes[v]});
+  auto& [sizes, metric] = usable.sizes;
+  for (const VertexId v : cut.copy_of) {
+    if (!sizes.empty()) sizes.push_back(double{sizes[v]});
+    if (!metric.empty()) metric.push_back(Metric{metric[v]});
   }
   split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
                    options.vertex_limit);

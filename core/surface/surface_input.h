@@ -43,7 +43,8 @@ struct SurfaceInputOptions {
   /// Per vertex of the mesh: how long edges are to be there, in multiples of the spacing of evenly
   /// spread sites; above 0. Empty: 1 everywhere.
   std::span<const double> sizes;
-  std::size_t vertex_limit = 0;  ///< no edge is split from there on
+  std::span<const Metric> metric;  ///< per vertex of the mesh, of FineMesh; empty: none
+  std::size_t vertex_limit = 0;    ///< no edge is split from there on
   std::span<const TrianglePair> features;
   std::span<const VertexId> fixed_vertices;  ///< of the mesh; those of no triangle are passed over
 };

@@ -13,6 +13,7 @@
 #include "core/surface/creases.h"
 #include "core/surface/curvature.h"
 #include "core/surface/edge_flips.h"
+#include "core/surface/field_metric.h"
 #include "core/surface/patches.h"
 #include "core/surface/pinholes.h"
 #include "core/surface/site_budget.h"
@@ -56,6 +57,7 @@ std::vector<std::array<VertexId, 2>> edges_along_features(
 struct SizedSurface {
   SurfaceInput input;
   Sizing sizing;
+  std::vector<Metric> shape;  // per vertex of the mesh; empty: cells are round
 };
 
 class SurfaceRemesher {
@@ -66,6 +68,7 @@ class SurfaceRemesher {
       : mesh_(mesh),
         input_(surface.input),
         sizing_(surface.sizing),
+        shape_(surface.shape),
         options_(options),
         relaxer_(make_engine, options, input_.fine.whole_sized_area, 1 / input_.frame.scale,
                  executor),
@@ -107,14 +110,15 @@ class SurfaceRemesher {
     result.mesh.triangles = std::move(dualised_.dual.triangles);
     result.topology = find_topology(result.mesh, find_edges(result.mesh));
     const auto on_chains = edges_on_chains();
-    if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_chains);
+    const std::vector<Metric> shape = shapes_at(mesh_, shape_, result.places);
+    if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_chains, shape);
     result.feature_edges = edges_along_features(result.mesh, on_chains);
     measure_energy(result);
     find_edge_lengths(result);
     if (options_.fit && result.is_manifold()) {
-      result.vertices_fitted =
-          fit_to_surface(input_, dualised_.state.labels, sites.on_chains, result.mesh, executor_)
-              .moved;
+      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_chains,
+                                              shape, result.mesh, executor_)
+                                   .moved;
     }
     result.surface_parts = parts_of(input_, surface_->chains);
     result.vertices_cut = input_.vertices_cut;
@@ -130,10 +134,10 @@ class SurfaceRemesher {
   }
 
   void measure_energy(SurfaceRemesh& result) const {
-    const MomentUnit unit(input_.fine.whole_mass);
+    const CellEnergies energies(input_.fine, dualised_.cells);
     double energy = 0;
     for (std::size_t r = 0; r < result.mesh.vertex_count(); ++r) {
-      energy += unit.energy(dualised_.cells[r], input_.frame.to_unit(result.mesh.positions[r]));
+      energy += energies.at(r, input_.frame.to_unit(result.mesh.positions[r]));
     }
     const double square = 1 / (input_.frame.scale * input_.frame.scale);
     result.energy = energy * square * square;
@@ -168,6 +172,7 @@ class SurfaceRemesher {
   const Mesh& mesh_;
   const SurfaceInput& input_;
   const Sizing& sizing_;
+  std::span<const Metric> shape_;
   const SurfaceRemeshOptions& options_;
   SiteRelaxer relaxer_;
   Executor& executor_;
@@ -188,27 +193,20 @@ class SurfaceSizer {
   }
 
   SizedSurface run() {
-    std::vector<double> lengths = wanted_lengths(mesh_, options_.sizing);
-    Sizing sizing;
-    if (!lengths.empty()) {
-      sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
-    } else {
-      sizing.spacing = options_.vertex_count > 0
-                           ? spacing_of(area_, static_cast<double>(options_.vertex_count))
-                           : options_.edge_length;
-    }
+    shape_ = shapes_of(options_.field);
+    Sizing sizing = find_sizing(mesh_, edges_, options_, executor_);
     const std::size_t count = about_how_many(sizing.spacing);
     features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
     SurfaceInput input = make_input(sizing, count);
     if (options_.sizing.adapt > 0) {
       const double spacing = sizing.spacing * input.frame.scale;
-      lengths = lengths_of_curvatures(relative_curvatures(mesh_, input, spacing, executor_),
-                                      options_.sizing.adapt);
+      const std::vector<double> lengths = lengths_of_curvatures(
+          relative_curvatures(mesh_, input, spacing, executor_), options_.sizing.adapt);
       input = {};
       sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
       input = make_input(sizing, about_how_many(sizing.spacing));
     }
-    return {std::move(input), std::move(sizing)};
+    return {std::move(input), std::move(sizing), std::move(shape_)};
   }
 
  private:
@@ -233,6 +231,7 @@ class SurfaceSizer {
     input.longest_edge =
         features_.empty() ? 0.6 * std::sqrt(area_ / sites) : 0.42 * spacing_of(area_, sites);
     input.sizes = sizing.sizes;
+    input.metric = shape_;
     input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh_.vertex_count();
     input.features = features_;
     input.fixed_vertices = options_.features.fixed_vertices;
@@ -245,6 +244,7 @@ class SurfaceSizer {
   Executor& executor_;
   double area_ = 0;
   std::vector<TrianglePair> features_;
+  std::vector<Metric> shape_;
 };
 
 void check_options(const Mesh& mesh, const SurfaceRemeshOptions& options) {
@@ -259,6 +259,10 @@ void check_options(const Mesh& mesh, const SurfaceRemeshOptions& options) {
   if (options.vertex_count < 4 && !(has_lengths && options.vertex_count == 0)) {
     fail("vertex_count: " + std::to_string(options.vertex_count) +
          ": a remesh has at least 4 vertices");
+  }
+  if (!options.field.empty() && options.field.size() != mesh.vertex_count()) {
+    fail("field: " + std::to_string(options.field.size()) + " tangent spaces for " +
+         std::to_string(mesh.vertex_count()) + " vertices");
   }
   for (const VertexId v : options.features.fixed_vertices) {
     if (v < mesh.vertex_count()) continue;

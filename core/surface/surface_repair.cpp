@@ -1,6 +1,7 @@
 #include "core/surface/surface_repair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/remesh/seed_insertion.h"
@@ -61,10 +62,7 @@ class SurfaceRepair {
     result_.dual = make_dual(surface_, executor_);
   }
 
-  void take_cells() {
-    const std::span<const Moments> cells = relaxer_.cells();
-    result_.cells.assign(cells.begin(), cells.end());
-  }
+  void take_cells() { result_.cells = relaxer_.cells(); }
 
   void tidy() {
     LabelledSites& state = result_.state;
@@ -75,7 +73,7 @@ class SurfaceRepair {
       if (state.labels[v] != no_id) continue;
       state.labels[v] = static_cast<RegionId>(state.sites.size());
       state.sites.add(level_.mesh->positions[v], level_.patch[v]);
-      result_.cells.emplace_back();
+      result_.cells.add_empty();
       fill_gaps(*level_.mesh, state.sites.positions, state.labels);
     }
   }
@@ -93,11 +91,7 @@ class SurfaceRepair {
   void remove_sites_without_cells() {
     const std::vector<std::uint8_t> is_removed = sites_without_cells();
     remove_sites(is_removed, result_.state.sites, result_.state.labels);
-    std::vector<Moments> kept;
-    for (std::size_t r = 0; r < is_removed.size(); ++r) {
-      if (is_removed[r] == 0) kept.push_back(result_.cells[r]);
-    }
-    result_.cells = std::move(kept);
+    result_.cells.remove(is_removed);
   }
 
   // The labels as a surface whose dual can be made. Pinholes are closed.
@@ -110,7 +104,8 @@ class SurfaceRepair {
     surface.region = state.labels;
     surface.distance.resize(surface.vertex_count);
     parallel_for(executor_, surface.vertex_count, small_items, [&](std::size_t v) {
-      surface.distance[v] = norm(input_.fine.positions[v] - state.sites.positions[state.labels[v]]);
+      const Vec3 away = input_.fine.positions[v] - state.sites.positions[state.labels[v]];
+      surface.distance[v] = std::sqrt(input_.fine.square_at(static_cast<VertexId>(v), away));
     });
     std::vector<std::uint8_t> is_at_pinhole(surface.vertex_count, 0);
     for (const std::vector<VertexId>& loop : chains_.pinholes) {
@@ -231,11 +226,11 @@ class SurfaceRepair {
     for (std::size_t r = sites.on_chains; r < sites.size(); ++r) ++of_patch[sites.patch[r]];
     std::vector<std::uint8_t> is_needed = sites.stays;
     for (const RegionId r : regions_of_violations()) is_needed[r] = 1;
-    const MomentUnit unit(input_.fine.whole_mass);
+    const CellEnergies energies(input_.fine, result_.cells);
     std::vector<std::pair<double, RegionId>> by_energy;
     for (RegionId r = 0; r < sites.size(); ++r) {
       if (is_needed[r] != 0 || of_patch[sites.patch[r]] <= few) continue;
-      by_energy.emplace_back(unit.energy(result_.cells[r], sites.positions[r]), r);
+      by_energy.emplace_back(energies.at(r, sites.positions[r]), r);
     }
     std::sort(by_energy.begin(), by_energy.end());
     by_energy.resize(std::min(by_energy.size(), sites.size() + count - wanted_));

@@ -11,7 +11,7 @@ namespace geolloyd {
 /// Sites, the moments of their cells, and the dual of the cells.
 struct DualisedSites {
   LabelledSites state;
-  std::vector<Moments> cells;
+  Cells cells;
   DualMesh dual;
 };
 

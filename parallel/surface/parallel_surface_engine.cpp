@@ -53,6 +53,13 @@ void add_shared(Moments& sum, const Moments& more) {
   add(sum.second, more.second);
 }
 
+void add_shared(MetricMoments& sum, const MetricMoments& more) {
+  add_shared(sum.moments, more.moments);
+  for (int i = 0; i < 6; ++i) {
+    std::atomic_ref(sum.metric.parts[i]).fetch_add(more.metric.parts[i], std::memory_order_relaxed);
+  }
+}
+
 struct LabelChange {
   VertexId vertex;
   RegionId label;
@@ -64,12 +71,13 @@ struct Sleeper {
   double until = 0;
 };
 
+template <class Measure>
 class ParallelSurfaceEngine final : public SurfaceEngine {
  public:
   ParallelSurfaceEngine(const FineMesh& mesh, Executor& executor)
       : mesh_(mesh),
         executor_(executor),
-        unit_(mesh.whole_mass),
+        unit_(moment_unit(mesh)),
         border_vertices_(mesh.vertex_count()),
         border_triangles_(mesh.triangle_count()),
         queued_(mesh.vertex_count()),
@@ -82,7 +90,7 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
     (main_.empty() ? labels_ : given_) = std::move(labels);
   }
 
-  std::span<const Moments> evaluate(std::span<const Vec3> sites) override {
+  const Cells& evaluate(std::span<const Vec3> sites) override {
     if (main_.size() > sites.size() || are_many_given()) {
       if (!given_.empty()) labels_ = std::move(given_);
       main_.clear();
@@ -102,9 +110,11 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
   }
 
   [[nodiscard]] const std::vector<RegionId>& labels() const override { return labels_; }
-  [[nodiscard]] std::span<const Moments> cells() const override { return cells_; }
+  [[nodiscard]] const Cells& cells() const override { return cells_; }
 
  private:
+  using Sum = typename Measure::Sum;
+
   static constexpr std::size_t grain = 32;  // words of 64 bits
 
   // Calls visit(begin, end, worker) for ranges of words.
@@ -144,7 +154,7 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
 
   // Runs of triangles with one main site, which are long in spatial order, are added as one.
   void begin_triangles(std::size_t begin, std::size_t end) {
-    Moments run;
+    Sum run;
     RegionId of = no_id;
     for (auto t = static_cast<TriangleId>(begin); t < end; ++t) {
       const RegionId site = main_site(mesh_, t, labels_);
@@ -156,7 +166,7 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
         run = {};
         of = site;
       }
-      run += moments_of(mesh_, unit_, t);
+      run += moments_of<Measure>(mesh_, unit_, t);
     }
     if (of != no_id) add_shared(main_[of], run);
   }
@@ -229,14 +239,16 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
   }
 
   // A vertex between two sites keeps its label until they have moved by as much as its own is
-  // nearer, or the label of a neighbour changes, which wakes it. The margin is far above what
-  // distances, below 4, and the sums of ways are rounded by.
+  // nearer, or the label of a neighbour changes, which wakes it. In a metric no way is longer than
+  // the root of its trace times what it is otherwise. The margin is far above what distances, below
+  // 4, and the sums of ways are rounded by.
   void let_sleep(VertexId v, const NearestLabel& nearest) {
     constexpr double margin = 1e-9;
     Sleeper& sleeper = sleeper_[v];
     sleeper.rival = nearest.label == labels_[v] ? nearest.rival : no_id;
     if (sleeper.rival == no_id) return;
-    const double lead = std::sqrt(nearest.square_rival) - std::sqrt(nearest.square_own);
+    double lead = std::sqrt(nearest.square_rival) - std::sqrt(nearest.square_own);
+    if (!mesh_.metric.empty()) lead /= std::sqrt(mesh_.metric[v].trace());
     sleeper.until = travelled_[nearest.label] + travelled_[nearest.rival] + lead - margin;
   }
   [[nodiscard]] bool is_asleep(VertexId v) const {
@@ -281,8 +293,8 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
     const RegionId site = main_site(mesh_, t, labels_);
     const RegionId old = std::atomic_ref(main_site_[t]).exchange(site, std::memory_order_relaxed);
     if (old == site) return;
-    const Moments moments = moments_of(mesh_, unit_, t);
-    if (old != no_id) add_shared(main_[old], Moments{} - moments);
+    const Sum moments = moments_of<Measure>(mesh_, unit_, t);
+    if (old != no_id) add_shared(main_[old], Sum{} - moments);
     if (site != no_id) add_shared(main_[site], moments);
   }
 
@@ -290,24 +302,25 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
     of_worker_.resize(executor_.threads());
     std::vector<std::uint8_t> is_used(executor_.threads(), 0);
     for_each_range(border_triangles_, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-      std::vector<Moments>& cells = of_worker_[worker];
+      std::vector<Sum>& cells = of_worker_[worker];
       if (is_used[worker] == 0) cells.assign(sites.size(), {});
       is_used[worker] = 1;
       border_triangles_.for_each(begin, end, [&](std::size_t t) {
         const RegionId main = main_site_[t];
-        for_each_piece(mesh_, unit_, static_cast<TriangleId>(t), labels_, sites,
-                       [&](RegionId r, const Moments& piece) {
-                         cells[r] += piece;
-                         cells[main] -= piece;
-                       });
+        for_each_piece<Measure>(mesh_, unit_, static_cast<TriangleId>(t), labels_, sites,
+                                [&](RegionId r, const Sum& piece) {
+                                  cells[r] += piece;
+                                  cells[main] -= piece;
+                                });
       });
     });
-    cells_ = main_;
+    std::vector<Sum> sums = main_;
     for (std::size_t worker = 0; worker < is_used.size(); ++worker) {
       if (is_used[worker] == 0) continue;
-      parallel_for(executor_, cells_.size(), small_items,
-                   [&](std::size_t r) { cells_[r] += of_worker_[worker][r]; });
+      parallel_for(executor_, sums.size(), small_items,
+                   [&](std::size_t r) { sums[r] += of_worker_[worker][r]; });
     }
+    cells_.assign(sums);
   }
 
   const FineMesh& mesh_;
@@ -317,11 +330,11 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
   std::vector<RegionId> given_;  // assigned since the last evaluation; empty: none
   std::vector<std::uint8_t> is_fixed_;
   std::vector<RegionId> main_site_;  // per triangle
-  std::vector<Moments> main_;        // per site: of whole triangles of which it is the main one;
+  std::vector<Sum> main_;            // per site: of whole triangles of which it is the main one;
                                      // empty: all is to begin anew
-  std::vector<Moments> cells_;
-  std::vector<std::vector<Moments>> of_worker_;  // what pieces change
-  std::vector<Vec3> before_;                     // per site: where it was
+  Cells cells_;
+  std::vector<std::vector<Sum>> of_worker_;  // what pieces change
+  std::vector<Vec3> before_;                 // per site: where it was
   std::vector<double> travelled_;  // per site: the length of its way, since the engine began
   std::vector<Sleeper> sleeper_;   // per vertex
   AtomicBits border_vertices_;
@@ -336,7 +349,10 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
 
 std::unique_ptr<SurfaceEngine> make_parallel_surface_engine(const FineMesh& mesh,
                                                             Executor& executor) {
-  return std::make_unique<ParallelSurfaceEngine>(mesh, executor);
+  if (mesh.metric.empty()) {
+    return std::make_unique<ParallelSurfaceEngine<EvenMeasure>>(mesh, executor);
+  }
+  return std::make_unique<ParallelSurfaceEngine<MetricMeasure>>(mesh, executor);
 }
 
 }  // namespace geolloyd

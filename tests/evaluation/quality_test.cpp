@@ -28,7 +28,7 @@ TEST(Quality, OfATriangularGridHasNearlyTheEnergyOfHexagons) {
     SCOPED_TRACE(frequency);
     const fs::path original = folder.path() / "original.ply";
     write_mesh(original, refine(rhombus, frequency));
-    const QualityRecord record = judge(coarse, original, 1'000, scheduler, progress);
+    const QualityRecord record = judge({coarse, original, {}, 1'000}, scheduler, progress);
     ASSERT_TRUE(record.likeness);
     EXPECT_NEAR(record.likeness->energy / record.likeness->hexagonal, 1, 0.06);
     EXPECT_NEAR(record.likeness->distance.two_sided().largest, 0, 1e-12);

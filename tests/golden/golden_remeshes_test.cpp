@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/surface_remesh.h"
@@ -23,16 +24,18 @@ namespace geolloyd {
 namespace {
 
 // In the words of the command line: geolloyd generate SHAPE --triangles N, then
-// geolloyd remesh --vertices V.
+// geolloyd remesh --vertices V, with --vfield FIELD where that is not none.
 struct GoldenRemesh {
   std::string shape;
   std::size_t triangles = 0;
   std::size_t vertices = 0;
+  std::string field;
   std::string fingerprint;
 };
 
 std::ostream& operator<<(std::ostream& out, const GoldenRemesh& row) {
-  return out << row.shape << ' ' << row.triangles << ' ' << row.vertices << ' ' << row.fingerprint;
+  return out << row.shape << ' ' << row.triangles << ' ' << row.vertices << ' ' << row.field << ' '
+             << row.fingerprint;
 }
 
 // Comments and empty lines, or rows.
@@ -50,7 +53,7 @@ bool is_row(const std::string& line) {
 GoldenRemesh row_of(const std::string& line) {
   GoldenRemesh row;
   std::istringstream words(line);
-  words >> row.shape >> row.triangles >> row.vertices >> row.fingerprint;
+  words >> row.shape >> row.triangles >> row.vertices >> row.field >> row.fingerprint;
   return row;
 }
 
@@ -67,6 +70,7 @@ std::string outcome_of(GoldenRemesh row, const Mesh& mesh, const MeshEdges& edge
                        const MakeSurfaceEngine& make_engine, Executor& executor) {
   SurfaceRemeshOptions options;
   options.vertex_count = row.vertices;
+  if (row.field == "curvature") options.field = curvature_field(mesh, edges, executor);
   std::ostringstream digits;
   digits << std::hex
          << make_surface_remesh(mesh, edges, options, make_engine, executor).fingerprint;

@@ -28,11 +28,11 @@ Mesh equilateral(double side) {
 }
 
 double angle_of(const Mesh& mesh) {
-  return smallest_angle(mesh, mesh.triangles[0]);
+  return smallest_angle(corners_of(mesh, mesh.triangles[0]));
 }
 
 double q_of(const Mesh& mesh) {
-  return triangle_quality(mesh, mesh.triangles[0]);
+  return triangle_quality(corners_of(mesh, mesh.triangles[0]));
 }
 
 double degrees(double radians) {
@@ -95,7 +95,8 @@ TEST(MeshQuality, MeansAndSharesAreThoseOfItsTriangles) {
   EXPECT_EQ(quality.smallest_quality, 0);
   EXPECT_EQ(quality.share_under_30, 0.5);
   EXPECT_NEAR(quality.mean_smallest_angle, (120 + degrees(std::atan(1e-3))) / 4, 1e-12);
-  EXPECT_NEAR(quality.mean_quality, (2 + triangle_quality(mesh, mesh.triangles[1])) / 4, 1e-12);
+  EXPECT_NEAR(quality.mean_quality, (2 + triangle_quality(corners_of(mesh, mesh.triangles[1]))) / 4,
+              1e-12);
 }
 
 TEST(MeshQuality, ThirtyDegreesAreNotUnderThirty) {

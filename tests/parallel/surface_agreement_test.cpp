@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/support/same_bytes.h"
+#include "core/mesh/curvature_field.h"
 #include "core/shapes/shapes.h"
 #include "core/surface/coarse_mesh.h"
 #include "core/surface/reference_surface_engine.h"
@@ -111,7 +112,7 @@ std::vector<Turn> turns_on(const FineMesh& mesh, RegionId count, std::uint64_t r
 }
 
 struct Evaluated {
-  std::vector<Moments> cells;
+  Cells cells;
   std::vector<RegionId> labels;
 };
 
@@ -124,9 +125,9 @@ void run_turns(SurfaceEngine& engine, const std::vector<Turn>& turns,
       if (i % 3 == 0) engine.assign(none, std::vector<std::uint8_t>(none.size(), 1));
       engine.assign(turns[i].sited.labels, turns[i].sited.is_fixed);
     }
-    const auto cells = engine.evaluate(turns[i].sited.sites);
-    ASSERT_TRUE(std::ranges::equal(engine.cells(), cells)) << "turn " << i;
-    visit(i, {{cells.begin(), cells.end()}, engine.labels()});
+    const Cells cells = engine.evaluate(turns[i].sited.sites);
+    ASSERT_EQ(engine.cells(), cells) << "turn " << i;
+    visit(i, {cells, engine.labels()});
   }
 }
 
@@ -187,6 +188,16 @@ TEST(SurfaceEngines, AgreeOnACoarseMesh) {
 // Large enough that the threads share all loops.
 TEST(SurfaceEngines, AgreeOnALargeMesh) {
   expect_engines_agree(surface_input_of(torus(20'000, 1)).fine, 300, 8);
+}
+
+// A metric that varies wildly from vertex to vertex.
+TEST(SurfaceEngines, AgreeInAMetric) {
+  FineMesh mesh = surface_input_of(torus(3000, 1)).fine;
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    mesh.metric.push_back(0.1 * Metric{} + Metric::square_of(random_point(1, v, 2)));
+  }
+  connect(mesh);
+  expect_engines_agree(mesh, 60, 11);
 }
 
 TEST(SurfaceEngines, AgreeWithOneSiteAndWithOneAtEachVertex) {
@@ -308,6 +319,26 @@ TEST(SurfaceStages, PlaceSitesAlike) {
       EXPECT_EQ(places[r].triangle, expected[r].triangle);
       EXPECT_EQ(places[r].weights, expected[r].weights);
     }
+  });
+}
+
+// A tangent field, by the reference alone and by the incremental engine on all threads.
+TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
+  const Mesh mesh = creature(6000, 1);
+  const MeshEdges edges = find_edges(mesh);
+  SurfaceRemeshOptions options;
+  options.vertex_count = 300;
+  options.field = curvature_field(mesh, edges);
+  const SurfaceRemesh expected =
+      make_surface_remesh(mesh, edges, options, make_reference_surface_engine);
+  EXPECT_TRUE(expected.has_input_topology());
+  for_schedulers([&](Scheduler& scheduler) {
+    const auto make_engine = [&](const FineMesh& fine) {
+      return make_parallel_surface_engine(fine, scheduler);
+    };
+    const SurfaceRemesh remesh = make_surface_remesh(mesh, edges, options, make_engine, scheduler);
+    EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
+    EXPECT_TRUE(same_bytes(remesh.mesh.positions, expected.mesh.positions));
   });
 }
 

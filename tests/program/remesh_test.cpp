@@ -238,6 +238,51 @@ TEST_F(Remeshing, FollowsSizes) {
   EXPECT_TRUE(report_of("-n 300")["edge_length_ratios"].is_null());
 }
 
+std::string field_for(const Mesh& mesh, const std::string& magnitudes) {
+  std::string lines = "k1 k2 ax ay az bx by bz\n";
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) lines += magnitudes + " 1 0 0 0 1 0\n";
+  return lines;
+}
+
+TEST_F(Remeshing, FollowsATangentField) {
+  const nlohmann::json curved = report_of("-n 300 --vfield curvature");
+  EXPECT_TRUE(curved["remesh"]["has_input_topology"].get<bool>());
+  EXPECT_EQ(curved["options"]["vfield"], "curvature");
+  EXPECT_GT(curved["quality_in_metric"]["mean_quality"], curved["quality"]["mean_quality"]);
+  EXPECT_TRUE(report_of("-n 300")["quality_in_metric"].is_null());
+
+  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "2 1"));
+  const std::string field = " --vfield " + file("a.vfield").string();
+  EXPECT_EQ(report_of("-n 300" + field)["remesh"]["vertices"], 300);
+  const nlohmann::json by_length = report_of("--edge-length 0.3" + field);
+  EXPECT_NEAR(by_length["edge_length_ratios"]["median"].get<double>(), 1, 0.08);
+  const std::string judged = file("judged.json").string();
+  EXPECT_EQ(geolloyd_with("quality " + file("r.ply").string() + " --original " + mesh_.string() +
+                          field + " -o " + judged)
+                .status,
+            0);
+  const nlohmann::json in_metric = nlohmann::json::parse(read_file(judged))["in_metric"];
+  EXPECT_NEAR(in_metric["mean_edge_length"].get<double>(), 0.3, 0.04);
+  EXPECT_NEAR(in_metric["energy_ratio_hexagonal"].get<double>(), 1, 0.1);
+  EXPECT_EQ(geolloyd_with("verify " + mesh_.string() + " -n 100" + field).status, 0);
+}
+
+TEST_F(Remeshing, RefusesFieldsThatDoNotFit) {
+  const auto expect_refused = [&](const std::string& message, const std::string& options) {
+    expect_complaint(remesh(options), message);
+  };
+  const std::string field = "-n 100 --vfield " + file("a.vfield").string();
+  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "0 1"));
+  expect_refused("field: vertex 0 has the magnitudes 0.000000 and 1.000000", field);
+  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "1000 1"));
+  expect_refused("one at most 100 times the other", field);
+  write_list(file("a.vfield"), "k1 k2 ax ay az bx by bz\n1 1 1 0 0 0 1 0\n");
+  expect_refused("a.vfield", field);
+  expect_refused("--vfield", field + " --repair");
+  expect_complaint(geolloyd_with("quality " + mesh_.string() + " --vfield curvature"),
+                   "--vfield: of which mesh? Give --original MESH");
+}
+
 TEST_F(Remeshing, RefusesSizesThatDoNotFit) {
   const std::string lines = ramp_for(read_mesh(mesh_).mesh);
   const std::string name = file("sizes.txt").string();

@@ -89,7 +89,7 @@ inline Mesh annulus(double inner_radius) {
   });
 }
 
-inline Mesh moebius_strip() {
+inline Mesh small_moebius_strip() {
   return grid_surface(120, 12, true, false, true, [](double along, double across) {
     const double angle = std::numbers::pi * along;
     const double side = 0.6 * (across - 0.5);

@@ -17,7 +17,7 @@ namespace {
 // An engine that goes wrong in one place, in its n-th evaluation.
 class FaultySurfaceEngine final : public SurfaceEngine {
  public:
-  enum class Fault { label, area, second, cells };
+  enum class Fault { label, area, second, metric, cells };
 
   FaultySurfaceEngine(const FineMesh& mesh, Fault fault, int after)
       : true_(make_reference_surface_engine(mesh)), fault_(fault), left_(after) {}
@@ -25,32 +25,35 @@ class FaultySurfaceEngine final : public SurfaceEngine {
   void assign(std::vector<RegionId> labels, std::span<const std::uint8_t> is_fixed) override {
     true_->assign(std::move(labels), is_fixed);
   }
-  std::span<const Moments> evaluate(std::span<const Vec3> sites) override {
-    const std::span<const Moments> cells = true_->evaluate(sites);
+  const Cells& evaluate(std::span<const Vec3> sites) override {
+    cells_ = true_->evaluate(sites);
     labels_ = true_->labels();
-    cells_.assign(cells.begin(), cells.end());
     if (--left_ > 0) return cells_;
     if (fault_ == Fault::label) labels_[7] = no_id;
-    if (fault_ == Fault::area) ++cells_[1].area;
-    if (fault_ == Fault::second) --cells_[1].second;
-    if (fault_ == Fault::cells) cells_.pop_back();
+    if (fault_ == Fault::area) ++cells_.moments[1].area;
+    if (fault_ == Fault::second) --cells_.moments[1].second;
+    if (fault_ == Fault::metric) ++cells_.metric[1].parts[4];
+    if (fault_ == Fault::cells) cells_.moments.pop_back();
     return cells_;
   }
   [[nodiscard]] const std::vector<RegionId>& labels() const override { return labels_; }
-  [[nodiscard]] std::span<const Moments> cells() const override { return true_->cells(); }
+  [[nodiscard]] const Cells& cells() const override { return true_->cells(); }
 
  private:
   std::unique_ptr<SurfaceEngine> true_;
   Fault fault_;
   int left_;
   std::vector<RegionId> labels_;
-  std::vector<Moments> cells_;
+  Cells cells_;
 };
 
-SurfaceRemesh remesh_with(const MakeSurfaceEngine& make_engine) {
+SurfaceRemesh remesh_with(const MakeSurfaceEngine& make_engine, bool has_field = false) {
   const Mesh mesh = torus(500, 1);
   SurfaceRemeshOptions options;
   options.vertex_count = 40;
+  if (has_field) {
+    options.field.assign(mesh.vertex_count(), {Vec3::UnitX(), Vec3::UnitY(), 1, 1});
+  }
   return make_surface_remesh(mesh, find_edges(mesh), options, make_engine);
 }
 
@@ -60,7 +63,8 @@ std::string complaint(FaultySurfaceEngine::Fault fault, int after) {
     return std::make_unique<FaultySurfaceEngine>(mesh, fault, after);
   };
   try {
-    remesh_with(make_paired_surface_engines(make_reference_surface_engine, faulty, comparison));
+    remesh_with(make_paired_surface_engines(make_reference_surface_engine, faulty, comparison),
+                fault == FaultySurfaceEngine::Fault::metric);
   } catch (const Disagreement& difference) {
     return difference.what();
   }
@@ -76,6 +80,8 @@ TEST(PairedSurfaceEngine, NamesTheFirstEvaluationPlaceAndValueThatDiffer) {
       "in evaluation 1, on mesh 1: moments of the cell of site 1: expected ";
   EXPECT_TRUE(complaint(Fault::area, 1).starts_with(moments));
   EXPECT_TRUE(complaint(Fault::second, 1).starts_with(moments));
+  EXPECT_TRUE(complaint(Fault::metric, 1)
+                  .starts_with("in evaluation 1, on mesh 1: metric of the cell of site 1: "));
   EXPECT_TRUE(
       complaint(Fault::cells, 2).starts_with("in evaluation 2, on mesh 1: number of cells: "));
 }

@@ -63,14 +63,14 @@ Moments sum_of(std::span<const Moments> cells) {
 void expect_by_the_rule(const FineMesh& mesh, const SitedMesh& sited) {
   const auto engine = make_reference_surface_engine(mesh);
   engine->assign(sited.labels, sited.is_fixed);
-  const std::span<const Moments> cells = engine->evaluate(sited.sites);
+  const std::span<const Moments> cells = engine->evaluate(sited.sites).moments;
   EXPECT_EQ(engine->labels(), sweep_by_the_rule(mesh, sited));
   const std::vector<Moments> first(cells.begin(), cells.end());
   ASSERT_EQ(first.size(), sited.sites.size());
   EXPECT_EQ(sum_of(first), sum_of_triangles(mesh));
   // A fixed point.
   const std::vector<RegionId> labels = engine->labels();
-  EXPECT_TRUE(std::ranges::equal(engine->evaluate(sited.sites), first));
+  EXPECT_TRUE(std::ranges::equal(engine->evaluate(sited.sites).moments, first));
   EXPECT_EQ(engine->labels(), labels);
 }
 
@@ -134,7 +134,7 @@ TEST(ReferenceSurfaceEngine, PrefersTheSmallestOfEquals) {
   twice.labels[100] = 0;
   const auto engine = make_reference_surface_engine(mesh);
   engine->assign(twice.labels, twice.is_fixed);
-  EXPECT_EQ(engine->evaluate(twice.sites)[0], sum_of_triangles(mesh));
+  EXPECT_EQ(engine->evaluate(twice.sites).moments[0], sum_of_triangles(mesh));
 }
 
 TEST(ReferenceSurfaceEngine, LeavesAPartWithoutASiteAlone) {
@@ -151,7 +151,7 @@ TEST(ReferenceSurfaceEngine, LeavesAPartWithoutASiteAlone) {
   const SitedMesh sited = put_sites(mesh, {lower[3], lower[70]});
   const auto engine = make_reference_surface_engine(mesh);
   engine->assign(sited.labels, sited.is_fixed);
-  const Moments sum = sum_of(engine->evaluate(sited.sites));
+  const Moments sum = sum_of(engine->evaluate(sited.sites).moments);
   EXPECT_NEAR(MomentUnit(mesh.whole_area).area(sum), mesh.whole_area / 2, 1e-12);
   for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_EQ(engine->labels()[v] == no_id, mesh.positions[v].z() > 0) << v;
@@ -164,7 +164,7 @@ TEST(ReferenceSurfaceEngine, LeavesAPartWithoutASiteAlone) {
 void expect_voronoi_cells(const FineMesh& mesh, const SitedMesh& sited) {
   const auto engine = make_reference_surface_engine(mesh);
   engine->assign(sited.labels, sited.is_fixed);
-  const std::span<const Moments> cells = engine->evaluate(sited.sites);
+  const std::span<const Moments> cells = engine->evaluate(sited.sites).moments;
   std::size_t vertices_amiss = 0;
   for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
     const RegionId nearest = nearest_site(sited.sites, mesh.positions[v]);
@@ -224,7 +224,7 @@ TEST(ReferenceSurfaceEngine, MeasuresHexagons) {
   }
   const auto engine = make_reference_surface_engine(mesh);
   engine->assign(sited.labels, sited.is_fixed);
-  const std::span<const Moments> cells = engine->evaluate(sited.sites);
+  const std::span<const Moments> cells = engine->evaluate(sited.sites).moments;
   const MomentUnit unit(mesh.whole_area);
   const double area = std::sqrt(0.75) * spacing * spacing;
   const double energy = 5 / (18 * std::sqrt(3)) * area * area;

@@ -99,7 +99,7 @@ TEST(WalkedTopology, KnowsManifolds) {
   EXPECT_EQ(walk_topology(one_triangle()).parts, (Parts{{1, 1}}));
   EXPECT_EQ(walk_topology(thin_torus(0.1)).parts, (Parts{{0, 0}}));
   EXPECT_EQ(walk_topology(annulus(0.5)).parts, (Parts{{0, 2}}));
-  EXPECT_EQ(walk_topology(moebius_strip()).parts, (Parts{{0, 1}}));
+  EXPECT_EQ(walk_topology(small_moebius_strip()).parts, (Parts{{0, 1}}));
   EXPECT_EQ(walk_topology(two_sheets(0.1)).parts, (Parts{{1, 1}, {1, 1}}));
   EXPECT_EQ(walk_topology(plane_with_pinholes(250)).parts, (Parts{{-249, 251}}));
   EXPECT_EQ(walk_topology(sphere_with_satellites(50)).parts, Parts(51, {2, 0}));
@@ -150,7 +150,7 @@ std::vector<OddSurface> odd_surfaces() {
       {"TwoSheets", [] { return two_sheets(0.001); }},
       {"Book", book},
       {"BowTie", bow_tie},
-      {"MoebiusStrip", moebius_strip},
+      {"MoebiusStrip", small_moebius_strip},
       {"OneTriangle", one_triangle},
       {"TwoTriangles", square_of_two_triangles},
       {"Tetrahedron", tetrahedron},

@@ -30,14 +30,14 @@ class RelaxedGround {
     engine->evaluate(sites);
   }
   double energy_of(const std::vector<Vec3>& some_sites) {
-    const auto cells = engine->evaluate(some_sites);
+    const auto& cells = engine->evaluate(some_sites).moments;
     double sum = 0;
     for (std::size_t r = 0; r < cells.size(); ++r) sum += unit_.energy(cells[r], some_sites[r]);
     return sum;
   }
   std::vector<Vec3> centroids() {
     std::vector<Vec3> found = sites;
-    const auto cells = engine->evaluate(sites);
+    const auto& cells = engine->evaluate(sites).moments;
     for (std::size_t r = 0; r < found.size(); ++r) {
       if (cells[r].area > 0) found[r] = unit_.centroid(cells[r]);
     }
@@ -45,7 +45,7 @@ class RelaxedGround {
   }
   std::vector<Vec3> gradient() {
     const std::vector<Vec3> centroid = centroids();
-    const auto cells = engine->evaluate(sites);
+    const auto& cells = engine->evaluate(sites).moments;
     std::vector<Vec3> found;
     for (std::size_t r = 0; r < centroid.size(); ++r) {
       found.emplace_back((sites[r] - centroid[r]) * (2 * unit_.area(cells[r])));
@@ -175,17 +175,16 @@ class RisingEngine final : public SurfaceEngine {
   void assign(std::vector<RegionId> labels, std::span<const std::uint8_t> is_fixed) override {
     engine_->assign(std::move(labels), is_fixed);
   }
-  std::span<const Moments> evaluate(std::span<const Vec3> sites) override {
+  const Cells& evaluate(std::span<const Vec3> sites) override {
     if (first.empty()) first.assign(sites.begin(), sites.end());
     last.assign(sites.begin(), sites.end());
-    const auto cells = engine_->evaluate(sites);
-    cells_.assign(cells.begin(), cells.end());
-    if (last != first) cells_[0].second *= 20;
+    cells_ = engine_->evaluate(sites);
+    if (last != first) cells_.moments[0].second *= 20;
     ++evaluations;
     return cells_;
   }
   [[nodiscard]] const std::vector<RegionId>& labels() const override { return engine_->labels(); }
-  [[nodiscard]] std::span<const Moments> cells() const override { return cells_; }
+  [[nodiscard]] const Cells& cells() const override { return cells_; }
 
   std::vector<Vec3> first;
   std::vector<Vec3> last;
@@ -193,7 +192,7 @@ class RisingEngine final : public SurfaceEngine {
 
  private:
   std::unique_ptr<SurfaceEngine> engine_;
-  std::vector<Moments> cells_;
+  Cells cells_;
 };
 
 TEST(SiteDescent, EndsWhereNothingIsGained) {

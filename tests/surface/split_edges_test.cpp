@@ -28,7 +28,7 @@ struct SplitMesh {
 SplitMesh split(const Mesh& mesh, double longest, std::size_t most = 1'000'000) {
   SplitMesh result{mesh, {}};
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) result.origin.push_back(t);
-  std::vector<double> sizes;
+  EdgeSizes sizes;
   split_long_edges(result.mesh, result.origin, sizes, longest, most);
   return result;
 }

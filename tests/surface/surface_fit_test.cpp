@@ -95,7 +95,7 @@ TEST(SurfaceFit, KeepsConnectivityAnglesAndQuality) {
 TEST(SurfaceFit, OfNothing) {
   Mesh none;
   SurfaceInput input;
-  EXPECT_EQ(fit_to_surface(input, {}, 0, none).moved, 0U);
+  EXPECT_EQ(fit_to_surface(input, {}, 0, {}, none).moved, 0U);
 }
 
 }  // namespace

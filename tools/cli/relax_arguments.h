@@ -24,14 +24,22 @@ struct SeedArguments {
   std::uint64_t random_seed = 1;
 };
 
-struct GraphArguments {
-  GraphKind kind = GraphKind::vertex;
-  Norm norm = Norm::geodesic;
-  std::filesystem::path vfield;        ///< or the word for the surface's own field
-  std::optional<Averaging> averaging;  ///< empty: goes by the norm
+/// A tangent field.
+struct FieldArguments {
+  std::filesystem::path vfield;  ///< or the word for the surface's own field; empty: none
 
   /// A file of that name is ./curvature.
   [[nodiscard]] bool has_curvature_field() const { return vfield == "curvature"; }
+  /// Empty where there is none.
+  [[nodiscard]] std::filesystem::path field_file() const {
+    return has_curvature_field() ? std::filesystem::path() : vfield;
+  }
+};
+
+struct GraphArguments : FieldArguments {
+  GraphKind kind = GraphKind::vertex;
+  Norm norm = Norm::geodesic;
+  std::optional<Averaging> averaging;  ///< empty: goes by the norm
 };
 
 /// What a tessellation begins with.
@@ -44,7 +52,7 @@ struct StartArguments {
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> files() const {
-    return {mesh, graph.has_curvature_field() ? std::filesystem::path() : graph.vfield, seeds.file};
+    return {mesh, graph.field_file(), seeds.file};
   }
 };
 

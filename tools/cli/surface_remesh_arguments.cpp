@@ -13,8 +13,6 @@
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
-namespace {}  // namespace
-
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices,
                                  const std::string& what) {
   constexpr std::uint64_t least = 4;
@@ -48,6 +46,12 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
           "Largest distance to the input, such as 0.1, or 0.5% of the\n"
           "bounding box's diagonal: searches the fewest vertices for it")
       ->type_name("DISTANCE");
+}
+
+void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what) {
+  command.add_option("--vfield", field.vfield, what)
+      ->type_name("FILE|curvature")
+      ->group(sizing_group);
 }
 
 void add_sizing_options(CLI::App& command, SizingArguments& sizing) {

@@ -45,6 +45,7 @@ struct SurfaceRemeshArguments {
   FinenessArguments fineness;
   SizingArguments sizing;
   FeatureArguments features;
+  FieldArguments field;
   bool no_fit = false;
   bool carries_properties = true;
   EngineKind engine = EngineKind::parallel;
@@ -57,8 +58,12 @@ struct SurfaceRemeshArguments {
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const {
-    return {mesh, features.edges_file, features.fixed_file, sizing.lengths_file,
-            sizing.densities_file};
+    return {mesh,
+            features.edges_file,
+            features.fixed_file,
+            sizing.lengths_file,
+            sizing.densities_file,
+            field.field_file()};
   }
 };
 
@@ -70,6 +75,8 @@ inline constexpr const char* feature_group = "Features";
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices, const std::string& what);
 /// --vertices, --edge-length and --tolerance.
 void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
+/// --vfield, in the same group, with this description.
+void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what);
 /// --sizing, --density, --adapt and --growth.
 void add_sizing_options(CLI::App& command, SizingArguments& sizing);
 /// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.

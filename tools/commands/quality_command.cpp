@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "geolloyd/errors.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
@@ -16,18 +17,22 @@ namespace geolloyd {
 namespace {
 
 struct QualityArguments {
-  std::filesystem::path remesh;
-  std::filesystem::path original;
+  QualityInput input;
   std::filesystem::path output;
   ThreadArguments threads;
-  std::size_t samples = 500'000;
 };
 
 void run_quality(const QualityArguments& a) {
-  if (!a.output.empty()) check_target(a.output, std::array{a.remesh, a.original});
+  const QualityInput& input = a.input;
+  if (input.original.empty() && !input.field.vfield.empty()) {
+    throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
+  }
+  if (!a.output.empty()) {
+    check_target(a.output, std::array{input.remesh, input.original, input.field.field_file()});
+  }
   Scheduler scheduler = make_scheduler(a.threads);
   ProgressLine progress;
-  const QualityRecord record = judge(a.remesh, a.original, a.samples, scheduler, progress);
+  const QualityRecord record = judge(input, scheduler, progress);
   if (!a.output.empty()) write_text_file(a.output, quality_report(record));
   fmt::print("{}", quality_text(record));
 }
@@ -38,13 +43,22 @@ void add_quality_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "quality", "Judge a remesh of any program: triangles, valences, distance to the original");
   const auto a = std::make_shared<QualityArguments>();
-  command->add_option("REMESH", a->remesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
-  command->add_option("--original", a->original, "Mesh that the remesh was made from")
+  QualityInput& input = a->input;
+  input.samples = 500'000;
+  command->add_option("REMESH", input.remesh, "PLY, OBJ, OFF or STL file")
+      ->type_name("")
+      ->required();
+  command->add_option("--original", input.original, "Mesh that the remesh was made from")
       ->type_name("MESH");
-  whole_number(command->add_option("--samples", a->samples,
+  whole_number(command->add_option("--samples", input.samples,
                                    "Number of points on each mesh to measure distances from"),
                1, 1'000'000'000)
       ->capture_default_str();
+  command
+      ->add_option("--vfield", input.field.vfield,
+                   "Judge triangles, edges and energy in a metric of the original, too:\n"
+                   "that of a file as of relax, or of its curvature")
+      ->type_name("FILE|curvature");
   command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
   add_thread_options(*command, a->threads);
   command->callback([a] { run_quality(*a); });

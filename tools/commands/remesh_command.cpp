@@ -32,9 +32,12 @@ class Remesher {
         scheduler_(scheduler),
         progress_(progress) {
     options_.sizing = read_sizing(arguments.sizing, loaded);
+    options_.field = find_field(arguments.field, loaded.input.mesh(), loaded.edges, scheduler);
     options_.features = read_features(arguments.features, loaded);
     options_.fit = !arguments.no_fit;
   }
+
+  [[nodiscard]] const std::vector<TangentSpace>& field() const { return options_.field; }
 
   void run(SurfaceRemeshResult& result) {
     const FinenessArguments& fineness = arguments_.fineness;
@@ -91,6 +94,7 @@ std::string option_that_names_vertices(const SurfaceRemeshArguments& arguments) 
   if (!arguments.sizing.densities_file.empty()) return "--density";
   if (!arguments.features.edges_file.empty()) return "--feature-edges";
   if (!arguments.features.fixed_file.empty()) return "--fixed";
+  if (!arguments.field.field_file().empty()) return "--vfield";
   return arguments.map_file.empty() ? "" : "--map";
 }
 
@@ -106,7 +110,8 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
       {arguments.carries_properties || !arguments.features.labels.empty()}, arguments.repair);
   SurfaceRemeshResult result;
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
-  Remesher(arguments, loaded, scheduler, progress).run(result);
+  Remesher remesher(arguments, loaded, scheduler, progress);
+  remesher.run(result);
   const SurfaceRemesh& remesh = result.made.remesh;
 
   progress.stage("carrying properties over");
@@ -119,7 +124,7 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
 
   progress.stage("measuring the remesh");
   const Stopwatch judging;
-  result.figures = judge_remesh(loaded, remesh, scheduler);
+  result.figures = judge_remesh(loaded, remesh, remesher.field(), scheduler);
   result.judge_seconds = judging.seconds();
 
   progress.stage("writing " + arguments.output.string());
@@ -159,6 +164,10 @@ void add_remesh_command(CLI::App& program) {
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");
   add_sizing_options(*command, a->sizing);
+  add_field_option(*command, a->field,
+                   "Triangles regular in a metric: curvature, for that of the\n"
+                   "surface's own curvatures, or a file as of relax. Without other\n"
+                   "sizes, all edges have one length in it");
   add_repair_options(*command, a->repair);
   add_feature_options(*command, a->features);
   command->add_flag("--no-fit", a->no_fit,

@@ -115,6 +115,7 @@ void verify_remesh(const VerifyArguments& a) {
   SurfaceRemeshOptions options;
   options.vertex_count = a.vertices;
   options.sizing = read_sizing(a.sizing, loaded);
+  options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
   options.features = read_features(a.features, loaded);
   check_remesh_memory(loaded, a.vertices, options, std::nullopt, scheduler);
   catch_interrupts();
@@ -140,8 +141,10 @@ void refuse_others(const CLI::App& command, bool is_remesh) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0) continue;
     const std::string& group = option->get_group();
-    const bool is_of_relaxation = group == "Seeds" || group == "Graph" || group == "Relaxation" ||
-                                  option->check_lname("frontier");
+    const bool is_of_both = option->check_lname("vfield");
+    const bool is_of_relaxation =
+        !is_of_both && (group == "Seeds" || group == "Graph" || group == "Relaxation" ||
+                        option->check_lname("frontier"));
     if (is_of_relaxation && is_remesh) {
       throw InvalidInput("--vertices and " + option->get_name() + " exclude each other");
     }

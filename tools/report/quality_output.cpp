@@ -65,6 +65,27 @@ std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
       grouped(likeness.samples));
 }
 
+std::string describe(const MetricQuality& judged) {
+  return describe_in_metric(judged.quality) +
+         fmt::format(
+             "  {:<12}edges: mean {:.4g}; of the mean: 5 % below {:.3f}, 5 % above {:.3f}, {:.1f} "
+             "% within a third\n"
+             "  {:<12}energy: {:.5g} of a regular hexagonal tiling\n",
+             "", judged.mean_length, judged.lengths.fifth, judged.lengths.ninety_fifth,
+             100 * judged.lengths.share_in_third, "", judged.energy_ratio);
+}
+
+Json metric_part(const MetricQuality& judged) {
+  return {{"quality", quality_part(judged.quality)},
+          {"mean_edge_length", judged.mean_length},
+          {"edge_lengths_over_mean",
+           {{"percentile_5", judged.lengths.fifth},
+            {"median", judged.lengths.median},
+            {"percentile_95", judged.lengths.ninety_fifth},
+            {"within_a_third_percent", 100 * judged.lengths.share_in_third}}},
+          {"energy_ratio_hexagonal", judged.energy_ratio}};
+}
+
 Json likeness_part(const Likeness& likeness) {
   const auto part = [&](const DistanceFigures& figures) {
     return distance_part(figures, likeness.original.input.facts.bounding_diagonal);
@@ -91,6 +112,15 @@ std::string describe(const MeshQuality& q) {
       counted(q.inner_vertices, "inner vertex", "inner vertices"));
 }
 
+std::string describe_in_metric(const MeshQuality& q) {
+  return fmt::format(
+      "  {:<12}angles: smallest {:.4g} degrees, mean of each triangle's smallest {:.4g}, "
+      "under 30 degrees {}\n"
+      "  {:<12}quality Q: smallest {:.4g}, mean {:.4g}\n",
+      "in metric", q.smallest_angle, q.mean_smallest_angle, share_text(q.share_under_30), "",
+      q.smallest_quality, q.mean_quality);
+}
+
 Json quality_part(const MeshQuality& q) {
   return {{"smallest_angle", q.smallest_angle},   {"mean_smallest_angle", q.mean_smallest_angle},
           {"share_under_30", q.share_under_30},   {"smallest_quality", q.smallest_quality},
@@ -110,6 +140,7 @@ Json distance_part(const DistanceFigures& figures, double diagonal) {
 std::string quality_text(const QualityRecord& record) {
   const JudgedMesh& remesh = record.remesh;
   std::string text = describe_file(remesh) + describe(record.quality);
+  if (record.in_metric) text += describe(*record.in_metric);
   if (record.likeness) text += describe(*record.likeness, remesh);
   return text;
 }
@@ -121,6 +152,7 @@ std::string quality_report(const QualityRecord& record) {
   report["remesh"] = mesh_part(remesh.input);
   report["topology"] = topology_part(remesh.topology);
   report["quality"] = quality_part(record.quality);
+  if (record.in_metric) report["in_metric"] = metric_part(*record.in_metric);
   if (record.likeness) {
     const JudgedMesh& original = record.likeness->original;
     report["original"] = mesh_part(original.input);

@@ -11,6 +11,8 @@ namespace geolloyd {
 
 /// Angles, quality and valences: three lines for people, and the part `quality` of JSON files.
 std::string describe(const MeshQuality& quality);
+/// Two lines, without the valences, which a metric does not change.
+std::string describe_in_metric(const MeshQuality& quality);
 Json quality_part(const MeshQuality& quality);
 /// Mesh units, and percent of `diagonal`.
 Json distance_part(const DistanceFigures& figures, double diagonal);

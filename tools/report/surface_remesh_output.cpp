@@ -140,6 +140,7 @@ std::string describe(const SurfaceRemesh& remesh) {
 
 std::string describe(const RemeshFigures& figures, double diagonal) {
   std::string text = describe(figures.quality);
+  if (figures.in_metric) text += describe_in_metric(*figures.in_metric);
   if (figures.length_ratios) {
     const EdgeLengthRatios& ratios = *figures.length_ratios;
     text += fmt::format(
@@ -190,7 +191,9 @@ Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
           {"sizing", a.sizing.lengths_file.string()},
           {"density", a.sizing.densities_file.string()},
           {"adapt", a.sizing.adapt},
-          {"growth", a.sizing.varies() ? Json(a.sizing.growth) : Json(nullptr)},
+          {"growth",
+           a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
+          {"vfield", a.field.vfield.string()},
           {"repair", a.repair.is_wanted},
           {"fill_holes", fill_holes_part(a.repair)},
           {"features", name_of_creases(a.features)},
@@ -288,6 +291,8 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["remesh"] = remesh_part(remesh);
   report["properties"] = properties_part(result.properties);
   report["quality"] = quality_part(result.figures.quality);
+  report["quality_in_metric"] =
+      result.figures.in_metric ? quality_part(*result.figures.in_metric) : Json(nullptr);
   report["edge_length_ratios"] = ratios_part(result.figures);
   report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
   report["remesh"]["volume_error_percent"] =

@@ -11,6 +11,7 @@
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/point_queries.h"
 #include "tools/evaluation/site_energy.h"
+#include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
@@ -46,34 +47,40 @@ void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& sched
   likeness.hexagonal = hexagonal_energy(area, area, sites.size());
 }
 
-Likeness compare(const JudgedMesh& remesh, const std::filesystem::path& original,
-                 std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
-  Likeness likeness;
-  const MeshEdges edges = load(original, likeness.original, scheduler, progress);
-  announce_memory(original.string(), memory_to_judge(remesh.input.facts.triangles,
-                                                     likeness.original.input.facts.triangles));
+void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRecord& record,
+             Scheduler& scheduler, ProgressLine& progress) {
+  const JudgedMesh& remesh = record.remesh;
+  Likeness& likeness = record.likeness.emplace();
+  const MeshEdges edges = load(input.original, likeness.original, scheduler, progress);
+  announce_memory(
+      input.original.string(),
+      memory_to_judge(remesh.input.facts.triangles, likeness.original.input.facts.triangles));
   require_area(remesh);
   require_area(likeness.original);
   progress.stage("measuring distances");
-  likeness.samples = samples;
-  likeness.distance =
-      measure_distance(scheduler, remesh.input.mesh(), likeness.original.input.mesh(), samples);
+  likeness.samples = input.samples;
+  likeness.distance = measure_distance(scheduler, remesh.input.mesh(),
+                                       likeness.original.input.mesh(), input.samples);
   progress.stage("measuring energy");
   measure_energy(remesh.input.mesh(), edges, scheduler, likeness);
-  return likeness;
+  const Mesh& original = likeness.original.input.mesh();
+  const std::vector<TangentSpace> field = find_field(input.field, original, edges, scheduler);
+  if (field.empty()) return;
+  progress.stage("measuring in the metric");
+  record.in_metric =
+      judge_in_metric(remesh.input.mesh(), remesh_edges, original, edges, field, scheduler);
 }
 
 }  // namespace
 
-QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::path& original,
-                    std::size_t samples, Scheduler& scheduler, ProgressLine& progress) {
+QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLine& progress) {
   QualityRecord record;
-  const MeshEdges edges = load(remesh, record.remesh, scheduler, progress);
+  const MeshEdges edges = load(input.remesh, record.remesh, scheduler, progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
-  if (original.empty()) {
-    announce_memory(remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
+  if (input.original.empty()) {
+    announce_memory(input.remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
   } else {
-    record.likeness = compare(record.remesh, original, samples, scheduler, progress);
+    compare(input, edges, record, scheduler, progress);
   }
   progress.clear();
   return record;

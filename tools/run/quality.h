@@ -7,8 +7,10 @@
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
 #include "parallel/threads/scheduler.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/evaluation/surface_distance.h"
 #include "tools/run/input.h"
+#include "tools/run/metric_quality.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
@@ -33,11 +35,19 @@ struct Likeness {
 struct QualityRecord {
   JudgedMesh remesh;
   MeshQuality quality;
+  std::optional<MetricQuality> in_metric;
   std::optional<Likeness> likeness;
 };
 
-/// `original` empty: the remesh alone. Throws Error.
-QualityRecord judge(const std::filesystem::path& remesh, const std::filesystem::path& original,
-                    std::size_t samples, Scheduler& scheduler, ProgressLine& progress);
+/// What is judged, and by what.
+struct QualityInput {
+  std::filesystem::path remesh;
+  std::filesystem::path original;  ///< empty: the remesh is judged alone
+  FieldArguments field;            ///< of the original
+  std::size_t samples = 0;         ///< on each of the two
+};
+
+/// Throws Error.
+QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLine& progress);
 
 }  // namespace geolloyd

@@ -72,7 +72,7 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
-std::vector<TangentSpace> find_field(const GraphArguments& arguments, const Mesh& mesh,
+std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor) {
   if (arguments.vfield.empty()) return {};
   if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);

@@ -29,7 +29,7 @@ struct Purpose {
 };
 
 /// The tangent field that is asked for: none, that of a file, or the surface's own.
-std::vector<TangentSpace> find_field(const GraphArguments& arguments, const Mesh& mesh,
+std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor);
 
 /// A graph of a mesh.

@@ -13,6 +13,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/properties.h"
 #include "core/surface/creases.h"
+#include "core/surface/field_metric.h"
 #include "core/surface/reference_surface_engine.h"
 #include "core/surface/sizing.h"
 #include "core/surface/surface_remesh.h"
@@ -65,8 +66,10 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, double longest,
   return mesh.vertex_count() + static_cast<std::uint64_t>(std::min(most, diagonals * added));
 }
 
-bool varies(const SizingOptions& sizing) {
-  return !sizing.edge_lengths.empty() || !sizing.densities.empty() || sizing.adapt > 0;
+bool varies(const SurfaceRemeshOptions& options) {
+  const SizingOptions& sizing = options.sizing;
+  return !sizing.edge_lengths.empty() || !sizing.densities.empty() || sizing.adapt > 0 ||
+         !options.field.empty();
 }
 
 // With features, edges are shorter (core/surface/surface_remesh.cpp). Whether there are any is only
@@ -78,7 +81,7 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vert
   const double spacing = spacing_of(area, static_cast<double>(vertices));
   const std::uint64_t without = estimate_fine_vertices(loaded, 0.6 * root, scheduler);
   const std::uint64_t with = estimate_fine_vertices(loaded, 0.42 * spacing, scheduler);
-  if (varies(options.sizing)) {
+  if (varies(options)) {
     constexpr std::uint64_t per_vertex = 24;  // edges shorter than 0.42 spacings are not halved
     return std::max(with, loaded.input.mesh().vertex_count() + per_vertex * vertices);
   }
@@ -89,23 +92,19 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vert
   return has_features ? with : without;
 }
 
-std::optional<EdgeLengthRatios> measure_ratios(const SurfaceRemesh& remesh,
-                                               const MeshEdges& edges) {
+// In the metric of which each vertex has the shape, if there is one.
+std::optional<EdgeLengthRatios> measure_ratios(const SurfaceRemesh& remesh, const MeshEdges& edges,
+                                               std::span<const Metric> shape) {
   if (edges.size() == 0) return std::nullopt;
   std::vector<double> ratio;
   ratio.reserve(edges.size());
   for (const auto& [a, b] : edges.ends) {
     const double asked = (remesh.edge_lengths[a] + remesh.edge_lengths[b]) / 2;
-    ratio.push_back(norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]) / asked);
+    const Vec3 edge = remesh.mesh.positions[a] - remesh.mesh.positions[b];
+    ratio.push_back((shape.empty() ? norm(edge) : (0.5 * (shape[a] + shape[b])).length(edge)) /
+                    asked);
   }
-  std::sort(ratio.begin(), ratio.end());
-  const auto at = [&](double share) {
-    return ratio[static_cast<std::size_t>(share * static_cast<double>(ratio.size() - 1))];
-  };
-  const auto near = std::count_if(ratio.begin(), ratio.end(),
-                                  [](double r) { return std::abs(r - 1) <= 1.0 / 3; });
-  return EdgeLengthRatios{at(0.05), at(0.5), at(0.95),
-                          static_cast<double>(near) / static_cast<double>(ratio.size())};
+  return summarised(std::move(ratio));
 }
 
 }  // namespace
@@ -163,10 +162,8 @@ std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions
                            Scheduler& scheduler) {
   if (options.vertex_count > 0) return options.vertex_count;
   double spacing = options.edge_length;
-  if (!options.sizing.edge_lengths.empty()) {
-    spacing = find_sizing(loaded.input.mesh(), loaded.edges, options.sizing.edge_lengths, options,
-                          scheduler)
-                  .spacing;
+  if (!options.sizing.edge_lengths.empty() || !options.field.empty()) {
+    spacing = find_sizing(loaded.input.mesh(), loaded.edges, options, scheduler).spacing;
   }
   const double count = sites_at(loaded.input.facts.area, spacing);
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
@@ -222,12 +219,14 @@ TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
 }
 
 RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remesh,
-                           Scheduler& scheduler) {
+                           std::span<const TangentSpace> field, Scheduler& scheduler) {
   constexpr std::size_t samples = 25'000;
   RemeshFigures figures;
   const MeshEdges edges = find_edges(remesh.mesh, scheduler);
   figures.quality = measure_quality(remesh.mesh, edges);
-  if (!remesh.edge_lengths.empty()) figures.length_ratios = measure_ratios(remesh, edges);
+  const std::vector<Metric> shape = shapes_at(loaded.input.mesh(), shapes_of(field), remesh.places);
+  if (!shape.empty()) figures.in_metric = measure_quality(remesh.mesh, edges, shape);
+  if (!remesh.edge_lengths.empty()) figures.length_ratios = measure_ratios(remesh, edges, shape);
   if (remesh.mesh.triangles.empty()) return figures;
   const Mesh& mesh = loaded.input.mesh();
   figures.samples = samples;

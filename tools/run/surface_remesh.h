@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include "core/mesh/mesh_quality.h"
 #include "core/surface/surface_engine.h"
@@ -11,6 +12,7 @@
 #include "geolloyd/remesh.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/surface_remesh_arguments.h"
+#include "tools/run/edge_lengths.h"
 #include "tools/run/input.h"
 #include "tools/system/progress.h"
 
@@ -57,18 +59,12 @@ TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress);
 
-/// Lengths of a remesh's edges, each over what was asked for there: the mean of its ends.
-struct EdgeLengthRatios {
-  double fifth = 0;  ///< percentile
-  double median = 0;
-  double ninety_fifth = 0;    ///< percentile
-  double share_in_third = 0;  ///< of edges whose ratio is from 2/3 to 4/3
-};
-
 /// What a remesh is judged by.
 struct RemeshFigures {
   MeshQuality quality;
-  std::optional<EdgeLengthRatios> length_ratios;  ///< where lengths vary
+  std::optional<MeshQuality> in_metric;           ///< of the field, if there is one
+  std::optional<EdgeLengthRatios> length_ratios;  ///< over what was asked for at the ends, in the
+                                                  ///< mean; where lengths vary
   std::size_t samples = 0;                        ///< of the input
   std::optional<DistanceFigures> distance;  ///< from the input to the remesh, if that is a surface
   std::optional<double> volume_error;       ///< share of the input's volume; if both are closed
@@ -76,6 +72,6 @@ struct RemeshFigures {
 
 /// Takes some tenths of a second, however large the input is.
 RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remesh,
-                           Scheduler& scheduler);
+                           std::span<const TangentSpace> field, Scheduler& scheduler);
 
 }  // namespace geolloyd

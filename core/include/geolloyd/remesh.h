@@ -91,6 +91,10 @@ struct SurfaceRemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
   SizingOptions sizing;
+  /// One per vertex, or none. Triangles are to be regular in its metric; `edge_length` is measured
+  /// in it, too. Where `sizing` asks for lengths, only the ratio of magnitudes counts, and lengths
+  /// are those in the mean of directions.
+  std::vector<TangentSpace> field;
   FeatureOptions features;
   bool fit =
       true;  ///< move vertices off the surface in the end, where that brings the remesh closer
