@@ -357,8 +357,8 @@ TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
            "/p.png",
        is_png},
       {"ground-truth " + mesh + seeds + " --output " + target + "/g", {}},
-      {"verify " + mesh + " -n 300", {}},
-      {"compare " + mesh + " -k 40 --threads 1,2 --backends tbb --no-plot -o " + target + "/c",
+      {"verify " + mesh + " -n 80", {}},
+      {"compare " + mesh + " -k 10 --threads 1,2 --backends tbb --no-plot -o " + target + "/c",
        {}}};
   std::uint64_t n = 1000;
   for (const auto& [arguments, check] : commands) {
