@@ -72,7 +72,7 @@ void count_valences(const Mesh& mesh, const MeshEdges& edges, MeshQuality& quali
 TriangleCorners corners_of(const Mesh& mesh, const Triangle& triangle,
                            std::span<const Metric> metric) {
   const auto& [a, b, c] = triangle;
-  const TriangleCorners corners = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+  TriangleCorners corners = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
   if (metric.empty()) return corners;
   const MetricRoot root((1.0 / 3) * (metric[a] + metric[b] + metric[c]));
   return {root(corners[0]), root(corners[1]), root(corners[2])};

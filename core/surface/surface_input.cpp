@@ -87,7 +87,8 @@ class SurfaceInputBuilder {
     std::erase_if(order, [&](std::uint32_t v) { return is_used[v] == 0; });
     std::vector<VertexId> place(mesh.vertex_count(), no_id);
     result_.fine.positions.resize(order.size());
-    const auto& [sizes, metric] = usable_.sizes;
+    const std::vector<double>& sizes = usable_.sizes.sizes;
+    const std::vector<Metric>& metric = usable_.sizes.metric;
     if (!sizes.empty()) result_.fine.resolution.resize(order.size());
     if (!metric.empty()) result_.fine.metric.resize(order.size());
     parallel_for(executor_, order.size(), small_items, [&](std::size_t i) {
@@ -217,7 +218,7 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   auto& [sizes, metric] = usable.sizes;
   for (const VertexId v : cut.copy_of) {
     if (!sizes.empty()) sizes.push_back(double{sizes[v]});
-    if (!metric.empty()) metric.push_back(Metric{metric[v]});
+    if (!metric.empty()) metric.emplace_back(Metric{metric[v]});
   }
   split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
                    options.vertex_limit);
