@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <sstream>
 
 #include "core/base/vec3.h"
 #include "core/mesh/metric_mean.h"
@@ -21,10 +21,11 @@ bool has_stretch(const TangentSpace& space) {
 
 void check_stretch(const TangentSpace& space, std::size_t v) {
   if (has_stretch(space)) return;
-  throw InvalidInput("field: vertex " + std::to_string(v) + " has the magnitudes " +
-                     std::to_string(space.tangent_magnitude) + " and " +
-                     std::to_string(space.bitangent_magnitude) +
-                     ": for a remesh both are above 0, and one at most 100 times the other");
+  std::ostringstream message;
+  message << "field: vertex " << v << " has the principal magnitudes " << space.tangent_magnitude
+          << " and " << space.bitangent_magnitude
+          << ": for a remesh both are above 0, and one at most 100 times the other";
+  throw InvalidInput(message.str());
 }
 
 Metric shape_of(const TangentSpace& space) {

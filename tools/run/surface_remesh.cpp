@@ -188,6 +188,7 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   size.edges = loaded.edges.size();
   size.fine_vertices = estimate_fine_vertices(loaded, vertices, options, scheduler);
   size.remesh_vertices = vertices;
+  size.has_field = !options.field.empty();
   size.threads = scheduler.threads();
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);

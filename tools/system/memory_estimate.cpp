@@ -158,7 +158,9 @@ Bytes memory_to_run(const RunSize& s) {
 
 Bytes memory_to_remesh(const RemeshSize& s) {
   // Measured: some 1600 for a site: the last steps that it took, and what fits it to the surface.
-  const Bytes moving = moving_sites(s.fine_vertices) + 1700 * s.remesh_vertices;
+  // A field has spaces and metrics of the mesh's vertices, and metrics of the surface's.
+  const Bytes field = s.has_field ? 112 * s.vertices + 48 * s.fine_vertices : 0;
+  const Bytes moving = moving_sites(s.fine_vertices) + 1700 * s.remesh_vertices + field;
   const Bytes vertices = s.remesh_vertices;
   const Bytes judging = scene_of_points(2 * vertices) + finding_edges(vertices, 2 * vertices);
   const Bytes picture = s.samples > 0 ? drawing(vertices, 2 * vertices, s.samples) : 0;

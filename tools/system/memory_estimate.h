@@ -35,6 +35,7 @@ struct RemeshSize {
   std::uint64_t samples = 0;
   std::uint64_t property_bytes = 0;
   std::size_t threads = 1;
+  bool has_field = false;
 };
 
 // Upper estimates of the most memory held at once, bytes: 1 to 1.5 times what is, from some hundred
