@@ -14,7 +14,7 @@
 namespace geolloyd {
 
 inline bool has_vertices(GraphKind kind) {
-  return kind == GraphKind::vertex || kind == GraphKind::vertex_dense || kind == GraphKind::mixed;
+  return kind != GraphKind::triangle && kind != GraphKind::triangle_dense;
 }
 inline bool has_triangles(GraphKind kind) {
   return kind == GraphKind::triangle || kind == GraphKind::triangle_dense ||
@@ -47,7 +47,8 @@ struct MeshGraphOptions {
 
 /// Number of arcs, in one direction, before those between the same two nodes become one. Many
 /// triangles at one edge or vertex make arcs by the square of their number.
-std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
+std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind,
+                         Executor& executor = sequential());
 
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along

@@ -27,11 +27,16 @@ struct SeedArguments {
 struct GraphArguments {
   GraphKind kind = GraphKind::vertex;
   Norm norm = Norm::geodesic;
-  std::filesystem::path vfield;        ///< or the word for the surface's own field
+  std::filesystem::path vfield;        ///< or the word for one of the surface's own fields
   std::optional<Averaging> averaging;  ///< empty: goes by the norm
 
-  /// A file of that name is ./curvature.
+  /// A file of that name is ./curvature, or ./cross.
   [[nodiscard]] bool has_curvature_field() const { return vfield == "curvature"; }
+  [[nodiscard]] bool has_cross_field() const { return vfield == "cross"; }
+  /// Empty where the field is none or the surface's own.
+  [[nodiscard]] std::filesystem::path field_file() const {
+    return has_curvature_field() || has_cross_field() ? std::filesystem::path() : vfield;
+  }
 };
 
 /// What a tessellation begins with.
@@ -44,7 +49,7 @@ struct StartArguments {
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> files() const {
-    return {mesh, graph.has_curvature_field() ? std::filesystem::path() : graph.vfield, seeds.file};
+    return {mesh, graph.field_file(), seeds.file};
   }
 };
 

@@ -189,7 +189,7 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
 // Whose numbers a repair would change; empty: none is given.
 std::string option_that_names_vertices(const StartArguments& start) {
   if (!start.seeds.file.empty()) return "--seeds-file";
-  return start.graph.vfield.empty() || start.graph.has_curvature_field() ? "" : "--vfield";
+  return start.graph.field_file().empty() ? "" : "--vfield";
 }
 
 void run_relax(const RelaxArguments& arguments) {
