@@ -205,6 +205,11 @@ void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
              "Places of the remesh's vertices: the seeds, or the surface points\n"
              "nearest to the centroids of the ground truth's regions")
       ->group(group);
+  command
+      .add_flag("--quads", remesh.quads,
+                "Join triangles of the remesh to quadrilaterals, where their corners\n"
+                "have 30 to 150 degrees; best with --norm linf --vfield cross")
+      ->group(group);
 }
 
 void check_seeds(const SeedArguments& seeds) {

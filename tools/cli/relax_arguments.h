@@ -81,6 +81,7 @@ struct ThreadArguments {
 struct RemeshArguments {
   bool manifold = true;
   RemeshVertices vertices = RemeshVertices::seeds;
+  bool quads = false;
 };
 
 /// How pictures look.
