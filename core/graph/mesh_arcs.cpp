@@ -10,6 +10,8 @@
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/graph/straight_ways.h"
+#include "core/mesh/metric_mean.h"
+#include "core/mesh/tangent_plane.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -67,6 +69,19 @@ bool measures_in_triangles(GraphKind kind) {
   return has_triangles(kind) || kind == GraphKind::vertex_far;
 }
 
+// A space that leans out of the triangle would measure less than there is.
+TangentSpace turned_into_triangle(const Mesh& mesh, TriangleId triangle,
+                                  const TangentSpace& space) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Vec3& place = mesh.positions[a];
+  const Vec3 normal = normalized(cross(mesh.positions[b] - place, mesh.positions[c] - place));
+  if (normal == Vec3::Zero() || !has_plane(space)) return space;
+  const Vec3 other = normalized(cross(space.tangent, space.bitangent));
+  const Vec3 from = dot(other, normal) < 0 ? Vec3(-other) : other;
+  return {transported(space.tangent, from, normal), transported(space.bitangent, from, normal),
+          space.tangent_magnitude, space.bitangent_magnitude};
+}
+
 // Per vertex, to larger ones.
 std::vector<std::uint32_t> count_ways(const StraightWays& ways, std::size_t vertices,
                                       Executor& executor) {
@@ -90,8 +105,11 @@ class ArcBuilder {
     if (measures_in_triangles(options.kind) && !options.vertex_space.empty()) {
       triangle_space_.resize(mesh.triangle_count());
       parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-        triangle_space_[t] =
+        const TangentSpace space =
             triangle_space(mesh.triangles[t], options.vertex_space, measure_.averaging);
+        triangle_space_[t] = options.kind == GraphKind::vertex_far
+                                 ? turned_into_triangle(mesh, static_cast<TriangleId>(t), space)
+                                 : space;
       });
     }
   }

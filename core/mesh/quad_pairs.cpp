@@ -34,6 +34,7 @@ class Pairing {
 
   [[nodiscard]] QuadPairs result() const {
     QuadPairs found;
+    found.is_inner.assign(3 * mesh_.triangle_count(), 0);
     double least_cosine = 1;
     double most_cosine = -1;
     for (TriangleId t = 0; t < mesh_.triangle_count(); ++t) {
@@ -45,6 +46,7 @@ class Pairing {
         const std::array<VertexId, 4> corners = quad(e);
         found.faces.push_back({corners, t});
         ++found.quads;
+        for (const CornerId corner : edges_.corners(e)) found.is_inner[corner] = 1;
         for (std::size_t i = 0; i < corners.size(); ++i) {
           least_cosine = std::min(least_cosine, corner_cosine(corners, i));
           most_cosine = std::max(most_cosine, corner_cosine(corners, i));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -19,7 +20,8 @@ struct Face {
 
 /// The faces of a quad-dominant mesh: all triangles, many of them in pairs.
 struct QuadPairs {
-  std::vector<Face> faces;  ///< by triangle, ascending
+  std::vector<Face> faces;             ///< by triangle, ascending
+  std::vector<std::uint8_t> is_inner;  ///< per corner: a quadrilateral hides the edge opposite
   std::size_t quads = 0;
   double smallest_angle = 0;  ///< of a corner of a quadrilateral, degrees; 0 without one
   double largest_angle = 0;
