@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/base/vec3.h"
 #include "core/mesh/tangent_plane.h"
 #include "core/shapes/shapes.h"
@@ -96,6 +99,16 @@ TEST(CrossField, IsSmoothOnASphereButForAFewPlaces) {
 TEST(CrossField, TurnsLittleFromVertexToVertexOnATorus) {
   const Mesh mesh = torus(5'000, 1);
   EXPECT_LT(widest_turn(mesh, crosses_of(mesh)), 0.2);
+}
+
+TEST(CrossField, HasItsBits) {
+  std::uint64_t all = 0;
+  for (const TangentSpace& s : crosses_of(torus(500, 1))) {
+    for (const Vec3& v : {s.tangent, s.bitangent}) {
+      for (const double x : v) all = mix_bits(all ^ std::bit_cast<std::uint64_t>(x));
+    }
+  }
+  EXPECT_EQ(all, 13935019234883106269U);
 }
 
 // Vertices of no triangle, a star of triangles at one vertex, flipped triangles, many parts.
