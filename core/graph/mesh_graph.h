@@ -52,10 +52,11 @@ std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kin
 
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
-/// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A
-/// non-manifold edge joins all its triangles to each other. Throws InvalidInput where nothing is
-/// left to make a graph of, 32-bit ids do not suffice, or a norm other than geodesic is to average
-/// metrics.
+/// the global axes without a field. Straight ways of vertex_far are measured triangle
+/// by triangle, each in its own space, turned into its plane. Masses: triangle areas; a third of
+/// the area around a vertex. A non-manifold edge joins all its triangles to each other. Throws
+/// InvalidInput where nothing is left to make a graph of, 32-bit ids do not suffice, or a norm
+/// other than geodesic is to average metrics.
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
                           Executor& executor = sequential());
 
