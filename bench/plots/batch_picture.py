@@ -151,7 +151,7 @@ def draw_coordinates(result: dict, theme: Theme) -> Figure:
 
 def graph_colours(theme: Theme) -> dict[str, str]:
     """A colour for each graph kind."""
-    return dict(zip(GRAPHS, (theme.blue, theme.sky, theme.orange, theme.vermillion, theme.purple)))
+    return dict(zip(GRAPHS, (theme.blue, theme.sky, theme.orange, theme.vermillion, theme.purple, theme.green)))
 
 
 BOUNDS = ("min", "avg", "max")

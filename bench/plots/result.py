@@ -20,7 +20,7 @@ KERNELS = {
     "other": "other",
 }
 GREEDY_MODES = ["off", "standard", "extended"]
-GRAPHS = ["vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"]
+GRAPHS = ["vertex", "vertex-dense", "triangle", "triangle-dense", "mixed", "vertex-far"]
 
 COMMON = {
     "program": str,

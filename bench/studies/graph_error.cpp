@@ -61,12 +61,13 @@ std::vector<Surface> surfaces(std::size_t triangles) {
           {"cylinder, irregular", cylinder(triangles, random_seed), on_cylinder}};
 }
 
-constexpr std::array<std::pair<const char*, GraphKind>, 5> kinds = {{
+constexpr std::array<std::pair<const char*, GraphKind>, 6> kinds = {{
     {"vertex", GraphKind::vertex},
     {"vertex-dense", GraphKind::vertex_dense},
     {"triangle", GraphKind::triangle},
     {"triangle-dense", GraphKind::triangle_dense},
     {"mixed", GraphKind::mixed},
+    {"vertex-far", GraphKind::vertex_far},
 }};
 
 double mean_length(const Mesh& mesh, const MeshEdges& edges) {

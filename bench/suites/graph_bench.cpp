@@ -16,7 +16,7 @@ namespace {
 constexpr std::pair<const char*, GraphKind> kinds[] = {
     {"vertex", GraphKind::vertex},     {"vertex-dense", GraphKind::vertex_dense},
     {"triangle", GraphKind::triangle}, {"triangle-dense", GraphKind::triangle_dense},
-    {"mixed", GraphKind::mixed},
+    {"mixed", GraphKind::mixed},       {"vertex-far", GraphKind::vertex_far},
 };
 
 template <class Work, class Expected>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/quad_pairs.h"
 #include "core/text/file_writer.h"
 
 namespace geolloyd {
@@ -26,6 +27,11 @@ void check_mesh_name(const std::filesystem::path& path);
 
 /// That the extension is one of these.
 bool has_mesh_name(const std::filesystem::path& path);
+
+/// PLY as write_mesh does, with these faces. A quadrilateral has the properties of its first
+/// triangle.
+void write_faces_ply(FileWriter& out, const Mesh& mesh, std::span<const Face> faces,
+                     const Properties& properties = {});
 
 /// What a part of a mesh belongs to, and a colour that shows it.
 struct Label {

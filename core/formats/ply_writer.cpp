@@ -102,20 +102,18 @@ class Row {
   std::vector<Column> columns_;
 };
 
-}  // namespace
-
-void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
-                        std::span<const Label> triangle_label, const Properties& properties) {
-  const Row of_vertex(vertex_label, properties.of_vertices);
-  const Row of_triangle(triangle_label, properties.of_triangles);
+// All up to the faces, and then as many as write_face(face) writes.
+template <class WriteFace>
+void write_ply(FileWriter& out, const Mesh& mesh, const Row& of_vertex, const Row& of_face,
+               std::size_t faces, WriteFace&& write_face) {
   const bool floats = are_floats(mesh.positions);
   const std::string real = floats ? "float" : "double";
   out.text("ply\nformat binary_little_endian 1.0\ncomment written by geolloyd\nelement vertex ");
   out.number(mesh.vertex_count());
   out.text("\nproperty " + real + " x\nproperty " + real + " y\nproperty " + real + " z\n" +
            of_vertex.header() + "element face ");
-  out.number(mesh.triangle_count());
-  out.text("\nproperty list uchar uint vertex_indices\n" + of_triangle.header() + "end_header\n");
+  out.number(faces);
+  out.text("\nproperty list uchar uint vertex_indices\n" + of_face.header() + "end_header\n");
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3& p = mesh.positions[v];
     if (floats) {
@@ -125,11 +123,33 @@ void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label
     }
     of_vertex.write(out, v);
   }
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    out.raw(std::uint8_t{3});
-    for (const VertexId vertex : mesh.triangles[t]) out.raw(vertex);
-    of_triangle.write(out, t);
-  }
+  for (std::size_t face = 0; face < faces; ++face) write_face(face);
+}
+
+}  // namespace
+
+void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
+                        std::span<const Label> triangle_label, const Properties& properties) {
+  const Row of_triangle(triangle_label, properties.of_triangles);
+  write_ply(out, mesh, Row(vertex_label, properties.of_vertices), of_triangle,
+            mesh.triangle_count(), [&](std::size_t t) {
+              out.raw(std::uint8_t{3});
+              for (const VertexId vertex : mesh.triangles[t]) out.raw(vertex);
+              of_triangle.write(out, t);
+            });
+}
+
+void write_faces_ply(FileWriter& out, const Mesh& mesh, std::span<const Face> faces,
+                     const Properties& properties) {
+  const Row of_triangle({}, properties.of_triangles);
+  write_ply(out, mesh, Row({}, properties.of_vertices), of_triangle, faces.size(),
+            [&](std::size_t f) {
+              const Face& face = faces[f];
+              const std::size_t corners = face.is_quad() ? 4 : 3;
+              out.raw(static_cast<std::uint8_t>(corners));
+              for (std::size_t i = 0; i < corners; ++i) out.raw(face.corners[i]);
+              of_triangle.write(out, face.triangle);
+            });
 }
 
 }  // namespace geolloyd

@@ -1,11 +1,17 @@
 #include "core/graph/mesh_arcs.h"
 
+#include <algorithm>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/bucketing.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
+#include "core/graph/straight_ways.h"
+#include "core/mesh/metric_mean.h"
+#include "core/mesh/tangent_plane.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -54,6 +60,38 @@ std::uint64_t pairs(std::uint64_t count) {
   return count * (count - 1) / 2;
 }
 
+// Straight ways cross the edges of two triangles.
+std::uint64_t pairs_across(std::span<const CornerId> corners, GraphKind kind) {
+  return kind == GraphKind::vertex_far && corners.size() == 2 ? 0 : pairs(corners.size());
+}
+
+bool measures_in_triangles(GraphKind kind) {
+  return has_triangles(kind) || kind == GraphKind::vertex_far;
+}
+
+// A space that leans out of the triangle would measure less than there is.
+TangentSpace turned_into_triangle(const Mesh& mesh, TriangleId triangle,
+                                  const TangentSpace& space) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Vec3& place = mesh.positions[a];
+  const Vec3 normal = normalized(cross(mesh.positions[b] - place, mesh.positions[c] - place));
+  if (normal == Vec3::Zero() || !has_plane(space)) return space;
+  const Vec3 other = normalized(cross(space.tangent, space.bitangent));
+  const Vec3 from = dot(other, normal) < 0 ? Vec3(-other) : other;
+  return {transported(space.tangent, from, normal), transported(space.bitangent, from, normal),
+          space.tangent_magnitude, space.bitangent_magnitude};
+}
+
+// Per vertex, to larger ones.
+std::vector<std::uint32_t> count_ways(const StraightWays& ways, std::size_t vertices,
+                                      Executor& executor) {
+  std::vector<std::uint32_t> count(vertices, 0);
+  parallel_for(executor, vertices, small_items, [&](std::size_t v) {
+    ways.visit(static_cast<VertexId>(v), [&](const StraightWay&) { ++count[v]; });
+  });
+  return count;
+}
+
 class ArcBuilder {
  public:
   ArcBuilder(Executor& executor, const Mesh& mesh, const MeshEdges& edges,
@@ -64,11 +102,14 @@ class ArcBuilder {
         options_(options),
         measure_(measure_of(options)),
         target_(target) {
-    if (has_triangles(options.kind) && !options.vertex_space.empty()) {
+    if (measures_in_triangles(options.kind) && !options.vertex_space.empty()) {
       triangle_space_.resize(mesh.triangle_count());
       parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-        triangle_space_[t] =
+        const TangentSpace space =
             triangle_space(mesh.triangles[t], options.vertex_space, measure_.averaging);
+        triangle_space_[t] = options.kind == GraphKind::vertex_far
+                                 ? turned_into_triangle(mesh, static_cast<TriangleId>(t), space)
+                                 : space;
       });
     }
   }
@@ -78,19 +119,25 @@ class ArcBuilder {
   Buffer<UndirectedArc> build() {
     const GraphKind kind = options_.kind;
     if (kind == GraphKind::triangle_dense) find_fans();
+    if (kind == GraphKind::vertex_far) find_ways();
     const Packing along(executor_, has_vertices(kind) ? edges_.size() : 0,
                         [](std::size_t) { return std::uint64_t{1}; });
-    const Packing across(executor_, kind != GraphKind::vertex ? edges_.size() : 0,
-                         [this](std::size_t e) { return pairs(edges_.corners(e).size()); });
+    const Packing across(
+        executor_, kind != GraphKind::vertex ? edges_.size() : 0,
+        [this](std::size_t e) { return pairs_across(edges_.corners(e), options_.kind); });
     const Packing fans(executor_, fans_.size(),
                        [this](std::size_t v) { return pairs(fans_[v].size()); });
     const Packing spokes(executor_, kind == GraphKind::mixed ? mesh_.triangle_count() : 0,
                          [this](std::size_t t) {
                            return std::uint64_t{has_three_vertices(mesh_.triangles[t]) ? 3U : 0U};
                          });
-    check_arc_count(along.total() + across.total() + fans.total() + spokes.total());
+    const Packing far(executor_, ways_from_.size(),
+                      [this](std::size_t v) { return std::uint64_t{ways_from_[v]}; });
+    const std::uint64_t count =
+        along.total() + across.total() + fans.total() + spokes.total() + far.total();
+    check_arc_count(count);
 
-    Buffer<UndirectedArc> arcs(along.total() + across.total() + fans.total() + spokes.total());
+    Buffer<UndirectedArc> arcs(count);
     UndirectedArc* first = arcs.data();
     along.for_each(executor_, [&](std::size_t e, std::uint64_t i) { put_along(e, first + i); });
     first += along.total();
@@ -99,6 +146,8 @@ class ArcBuilder {
     fans.for_each(executor_, [&](std::size_t v, std::uint64_t i) { put_fan(v, first + i); });
     first += fans.total();
     spokes.for_each(executor_, [&](std::size_t t, std::uint64_t i) { put_spokes(t, first + i); });
+    first += spokes.total();
+    far.for_each(executor_, [&](std::size_t v, std::uint64_t i) { put_ways(v, first + i); });
     return arcs;
   }
 
@@ -126,8 +175,8 @@ class ArcBuilder {
 
   // The other end of a way across the edge opposite to a corner.
   [[nodiscard]] ArcEnd beyond(CornerId corner) const {
-    return options_.kind == GraphKind::vertex_dense ? vertex(apex(mesh_, corner))
-                                                    : triangle(triangle_of(corner));
+    return has_triangles(options_.kind) ? triangle(triangle_of(corner))
+                                        : vertex(apex(mesh_, corner));
   }
 
   void put_across(std::size_t edge, UndirectedArc* arc) const {
@@ -176,6 +225,29 @@ class ArcBuilder {
     });
   }
 
+  void find_ways() {
+    ways_.emplace(mesh_, edges_, executor_);
+    ways_from_ = count_ways(*ways_, mesh_.vertex_count(), executor_);
+  }
+
+  void put_ways(std::size_t v, UndirectedArc* arc) const {
+    ways_->visit(static_cast<VertexId>(v), [&](const StraightWay& way) {
+      *arc++ = {target_.node_of[way.from], target_.node_of[way.to], length_of_way(way)};
+    });
+  }
+
+  // The sum over the triangles on the way, each in its own space.
+  [[nodiscard]] double length_of_way(const StraightWay& way) const {
+    if (triangle_space_.empty() && measure_.norm == Norm::geodesic) return way.length;
+    double sum = 0;
+    ways_->visit_pieces(way, [&](const StraightPiece& piece) {
+      sum += triangle_space_.empty()
+                 ? measure(piece.displacement, measure_.norm)
+                 : measure(piece.displacement, triangle_space_[piece.triangle], measure_.norm);
+    });
+    return sum;
+  }
+
   Executor& executor_;
   const Mesh& mesh_;
   const MeshEdges& edges_;
@@ -185,14 +257,22 @@ class ArcBuilder {
   std::vector<TangentSpace> triangle_space_;
   Bucketed<CornerId> fans_;  // corners at each vertex
   Buffer<double> legs_;      // of each of these
+  std::optional<StraightWays> ways_;
+  std::vector<std::uint32_t> ways_from_;  // per vertex, how many go to larger ones
 };
 
 }  // namespace
 
-std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind) {
+std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind,
+                         Executor& executor) {
   std::uint64_t arcs = has_vertices(kind) ? edges.size() : 0;
   for (std::size_t e = 0; kind != GraphKind::vertex && e < edges.size(); ++e) {
-    arcs += pairs(edges.corners(e).size());
+    arcs += pairs_across(edges.corners(e), kind);
+  }
+  if (kind == GraphKind::vertex_far) {
+    const auto count =
+        count_ways(StraightWays(mesh, edges, executor), mesh.vertex_count(), executor);
+    arcs = std::accumulate(count.begin(), count.end(), arcs);
   }
   if (kind == GraphKind::mixed) arcs += edges.corner.size();
   if (kind == GraphKind::triangle_dense) {

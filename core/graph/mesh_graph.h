@@ -14,7 +14,7 @@
 namespace geolloyd {
 
 inline bool has_vertices(GraphKind kind) {
-  return kind == GraphKind::vertex || kind == GraphKind::vertex_dense || kind == GraphKind::mixed;
+  return kind != GraphKind::triangle && kind != GraphKind::triangle_dense;
 }
 inline bool has_triangles(GraphKind kind) {
   return kind == GraphKind::triangle || kind == GraphKind::triangle_dense ||
@@ -47,14 +47,16 @@ struct MeshGraphOptions {
 
 /// Number of arcs, in one direction, before those between the same two nodes become one. Many
 /// triangles at one edge or vertex make arcs by the square of their number.
-std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind);
+std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind,
+                         Executor& executor = sequential());
 
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
-/// the global axes without a field. Masses: triangle areas; a third of the area around a vertex. A
-/// non-manifold edge joins all its triangles to each other. Throws InvalidInput where nothing is
-/// left to make a graph of, 32-bit ids do not suffice, or a norm other than geodesic is to average
-/// metrics.
+/// the global axes without a field. Straight ways of vertex_far are measured triangle
+/// by triangle, each in its own space, turned into its plane. Masses: triangle areas; a third of
+/// the area around a vertex. A non-manifold edge joins all its triangles to each other. Throws
+/// InvalidInput where nothing is left to make a graph of, 32-bit ids do not suffice, or a norm
+/// other than geodesic is to average metrics.
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
                           Executor& executor = sequential());
 

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
     Sweep, AgreementOnMeshes,
     testing::Combine(testing::Values(GraphKind::vertex, GraphKind::vertex_dense,
                                      GraphKind::triangle, GraphKind::triangle_dense,
-                                     GraphKind::mixed),
+                                     GraphKind::mixed, GraphKind::vertex_far),
                      testing::Values(Norm::geodesic, Norm::manhattan, Norm::linf),
                      testing::Bool()));
 

@@ -8,6 +8,7 @@
 
 #include "bench/support/same_bytes.h"
 #include "core/graph/mesh_graph.h"
+#include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
@@ -103,6 +104,7 @@ void expect_executors_agree(const Mesh& mesh) {
   const MeshEdges edges = find_edges(mesh);
   const MeshFacts facts = check_mesh(mesh, edges);
   const std::vector<TangentSpace> field = curvature_field(mesh, edges);
+  const std::vector<TangentSpace> crosses = cross_field(mesh, edges);
   const std::vector<MeshGraphOptions> options = all_options(mesh);
   std::vector<MeshGraph> expected;
   expected.reserve(options.size());
@@ -111,6 +113,7 @@ void expect_executors_agree(const Mesh& mesh) {
     expect_same(find_edges(mesh, scheduler), edges);
     expect_same(check_mesh(mesh, edges, scheduler), facts);
     EXPECT_TRUE(same_spaces(curvature_field(mesh, edges, scheduler), field));
+    EXPECT_TRUE(same_spaces(cross_field(mesh, edges, scheduler), crosses));
     for (std::size_t i = 0; i < options.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "options " << i);
       expect_same(make_mesh_graph(mesh, edges, options[i], scheduler), expected[i]);

@@ -277,7 +277,8 @@ TEST_F(Program, FinishesWithTheMemoryItAsksFor) {
                               out().string() + " --threads ";
     for (const std::string& command :
          {relax + "2", relax + "2 -g vertex-dense", relax + "2 -g triangle",
-          relax + "2 -g triangle-dense", relax + "2 -g mixed", relax + "2 --engine reference",
+          relax + "2 -g triangle-dense", relax + "2 -g mixed", relax + "2 -g vertex-far",
+          relax + "2 -g vertex-far --norm linf --vfield cross", relax + "2 --engine reference",
           relax + "2 --frontier delta", relax + "1 --ground-truth", relax + "2 --ground-truth",
           relax + "16 --ground-truth", relax + "2 --backend openmp --ground-truth",
           relax + "2 -g triangle --remesh-vertices centroids",
@@ -295,9 +296,10 @@ TEST_F(Program, HoldsNoMoreMemoryThanEstimatedAndNotMuchLess) {
   if (under_sanitizer) GTEST_SKIP();
   ASSERT_EQ(geolloyd_with("generate creature -t 200000 -o " + mesh_.string()).status, 0);
   for (const std::string options :
-       {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed",
-        "vertex --engine reference", "vertex --frontier delta",
-        "triangle --remesh-vertices centroids", "vertex --ground-truth"}) {
+       {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed", "vertex-far",
+        "vertex-far --norm linf --vfield cross", "vertex --engine reference",
+        "vertex --frontier delta", "triangle --remesh-vertices centroids",
+        "vertex --ground-truth"}) {
     const Outcome outcome =
         relax("-k 500 --threads 2 --max-greedy-steps 2 --max-macrosteps 1 -g " + options);
     ASSERT_EQ(outcome.status, 0) << outcome.text;

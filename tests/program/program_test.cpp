@@ -166,6 +166,8 @@ TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
                                                 "-g triangle",
                                                 "-g triangle-dense",
                                                 "-g mixed",
+                                                "-g vertex-far",
+                                                "-g vertex-far --norm linf --vfield cross",
                                                 "--init random",
                                                 "--init random-area",
                                                 "--init kmeans++",
@@ -303,6 +305,33 @@ TEST_F(Program, MakesAFieldOfTheSurfacesCurvature) {
   EXPECT_NE(relax("--seeds 20 --vfield ./curvature", "file").status, 0);
 }
 
+TEST_F(Program, MakesAFieldOfCrosses) {
+  ASSERT_EQ(relax("--seeds 20 --norm linf", "coordinates").status, 0);
+  ASSERT_EQ(relax("--seeds 20 --norm linf --vfield cross", "crosses").status, 0);
+  EXPECT_EQ(report_in(out("crosses"))["options"]["vfield"], "cross");
+  EXPECT_EQ(report_in(out("crosses"))["options"]["averaging"], "pairwise");
+  EXPECT_NE(report_in(out("crosses"))["fingerprint"], report_in(out("coordinates"))["fingerprint"]);
+  EXPECT_NE(relax("--seeds 20 --vfield ./cross", "file").status, 0);
+}
+
+TEST_F(Program, JoinsTrianglesOfTheRemesh) {
+  ASSERT_EQ(relax("--seeds 100", "triangles").status, 0);
+  ASSERT_EQ(relax("--seeds 100 --quads", "quads").status, 0);
+  EXPECT_EQ(report_in(out("triangles"))["quads"], nullptr);
+  const nlohmann::json quads = report_in(out("quads"))["quads"];
+  const auto joined = quads["quadrilaterals"].get<std::size_t>();
+  const auto left = quads["triangles"].get<std::size_t>();
+  EXPECT_GT(joined, left);
+  EXPECT_GE(quads["smallest_angle"], 29.9);
+  EXPECT_EQ(2 * joined + left, report_in(out("quads"))["remesh"]["triangles"]);
+  EXPECT_NE(read_file(out("quads") / "remesh.ply")
+                .find("element face " + std::to_string(joined + left) + "\n"),
+            std::string::npos);
+  const Mesh mesh = read_mesh(out("quads") / "remesh.ply").mesh;
+  EXPECT_EQ(mesh.triangle_count(), 2 * joined + left);
+  EXPECT_EQ(mesh.vertex_count(), read_mesh(out("triangles") / "remesh.ply").mesh.vertex_count());
+}
+
 TEST_F(Program, StretchesRegionsAlongAField) {
   const fs::path plane = folder_.path() / "plane.ply";
   ASSERT_EQ(geolloyd_with("generate plane -t 20000 -o " + plane.string()).status, 0);
@@ -355,7 +384,7 @@ TEST_F(Program, TessellatesWhatIsHardlyASurface) {
   for (const auto& [name, text] : vertices) {
     mesh_ = folder_.write(name + ".off", "OFF\n4 2 0\n" + text + faces);
     for (const std::string graph :
-         {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed"}) {
+         {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed", "vertex-far"}) {
       const std::string picture =
           graph == "mixed" ? " --size 200x200 --picture " + out("p.png").string() : "";
       const Outcome outcome = relax("--seeds 2 -g " + graph + picture);

@@ -280,6 +280,7 @@ TEST_F(Remeshing, RefusesFieldsThatDoNotFit) {
   write_list(file("a.vfield"), "k1 k2 ax ay az bx by bz\n1 1 1 0 0 0 1 0\n");
   expect_refused("a.vfield", field);
   expect_refused("--vfield", field + " --repair");
+  expect_refused("--vfield cross: has directions without magnitudes", "-n 100 --vfield cross");
   expect_complaint(geolloyd_with("quality " + mesh_.string() + " --vfield curvature"),
                    "--vfield: of which mesh? Give --original MESH");
 }

@@ -49,7 +49,7 @@ Mesh turned(Mesh mesh) {
 }
 
 // A strip of quadrilaterals, two of them wide, closed with a half turn.
-Mesh moebius_strip(VertexId length) {
+Mesh moebius_strip_of(VertexId length) {
   Mesh mesh;
   for (VertexId i = 0; i < length; ++i) {
     const double angle = 2 * std::numbers::pi * i / length;
@@ -160,7 +160,7 @@ TEST_P(Repair, MakesAManifoldOfTheSameTopologyFromAnySeeds) {
 }
 
 TEST_P(Repair, WhateverTheOrientations) {
-  for (const Mesh& mesh : {turned(icosphere(320)), turned(torus(600, 1)), moebius_strip(24)}) {
+  for (const Mesh& mesh : {turned(icosphere(320)), turned(torus(600, 1)), moebius_strip_of(24)}) {
     Ground ground(mesh, GetParam());
     for (std::uint64_t random_seed = 0; random_seed < 10; ++random_seed) {
       const DualisedSeeds repaired =

@@ -6,8 +6,8 @@
 
 namespace geolloyd {
 
-inline constexpr std::array all_kinds = {GraphKind::vertex, GraphKind::vertex_dense,
+inline constexpr std::array all_kinds = {GraphKind::vertex,   GraphKind::vertex_dense,
                                          GraphKind::triangle, GraphKind::triangle_dense,
-                                         GraphKind::mixed};
+                                         GraphKind::mixed,    GraphKind::vertex_far};
 
 }  // namespace geolloyd

@@ -132,16 +132,14 @@ void expect_errors(const Surface& surface, const std::vector<Expected>& expected
 // It depends on the kind of graph and hardly on the surface. Smaller triangles do not lessen it:
 // ways have the same few directions to choose from.
 TEST(GraphError, StaysWhenMeshesAreRefined) {
-  const std::vector<Expected> irregular = {{GraphKind::vertex, 0.04, 0.06, 0.17},
-                                           {GraphKind::vertex_dense, 0.012, 0.02, 0.07},
-                                           {GraphKind::triangle, 0.18, 0.22, 0.4},
-                                           {GraphKind::triangle_dense, 0.04, 0.06, 0.16},
-                                           {GraphKind::mixed, 0.018, 0.027, 0.09}};
-  const std::vector<Expected> regular = {{GraphKind::vertex, 0.055, 0.08, 0.25},
-                                         {GraphKind::vertex_dense, 0.012, 0.02, 0.07},
-                                         {GraphKind::triangle, 0.21, 0.26, 0.5},
-                                         {GraphKind::triangle_dense, 0.055, 0.08, 0.22},
-                                         {GraphKind::mixed, 0.012, 0.02, 0.07}};
+  const std::vector<Expected> irregular = {
+      {GraphKind::vertex, 0.04, 0.06, 0.17},  {GraphKind::vertex_dense, 0.012, 0.02, 0.07},
+      {GraphKind::triangle, 0.18, 0.22, 0.4}, {GraphKind::triangle_dense, 0.04, 0.06, 0.16},
+      {GraphKind::mixed, 0.018, 0.027, 0.09}, {GraphKind::vertex_far, 0.001, 0.003, 0.02}};
+  const std::vector<Expected> regular = {
+      {GraphKind::vertex, 0.055, 0.08, 0.25}, {GraphKind::vertex_dense, 0.012, 0.02, 0.07},
+      {GraphKind::triangle, 0.21, 0.26, 0.5}, {GraphKind::triangle_dense, 0.055, 0.08, 0.22},
+      {GraphKind::mixed, 0.012, 0.02, 0.07},  {GraphKind::vertex_far, 0.001, 0.003, 0.02}};
   for (const std::size_t triangles : {5'000U, 20'000U}) {
     expect_errors(plane(triangles), irregular);
     expect_errors(tube_surface(triangles), irregular);
@@ -175,6 +173,7 @@ TEST(GraphError, MoreArcsNeverMakeAWayLonger) {
     const MeshGraph triangle = graph_of(surface, GraphKind::triangle);
     const MeshGraph mixed = graph_of(surface, GraphKind::mixed);
     expect_no_longer(graph_of(surface, GraphKind::vertex_dense), vertex, 0);
+    expect_no_longer(graph_of(surface, GraphKind::vertex_far), vertex, 0);
     expect_no_longer(graph_of(surface, GraphKind::triangle_dense), triangle, 0);
     expect_no_longer(mixed, vertex, 0);
     expect_no_longer(mixed, triangle, mixed.first_triangle_id);

@@ -66,7 +66,8 @@ void add_init_options(CLI::App& command, SeedArguments& seeds) {
 
 void add_graph_options(CLI::App& command, GraphArguments& graph) {
   add_choice(command, "-g,--graph", graph.kind, graph_kind_names,
-             "Nodes of the graph; dense graphs join more of them")
+             "Nodes of the graph; dense graphs join more of them, and\n"
+             "vertex-far all that see each other across up to five edges")
       ->group(graph_group);
   add_metric_options(command, graph);
 }
@@ -95,9 +96,10 @@ void add_metric_options(CLI::App& command, GraphArguments& graph) {
   command
       .add_option("--vfield", graph.vfield,
                   "Anisotropic metric: curvature, for the field of the surface's own\n"
-                  "curvatures, or a file: a line of column names, then k1, k2 and two\n"
-                  "vectors per vertex")
-      ->type_name("FILE|curvature")
+                  "curvatures; cross, for smooth axes without magnitudes, as --norm\n"
+                  "linf and manhattan want them; or a file: a line of column names,\n"
+                  "then k1, k2 and two vectors per vertex")
+      ->type_name("FILE|curvature|cross")
       ->group(graph_group);
   add_choice(command, "--averaging", graph.averaging, averaging_choice_names,
              "How tangent spaces of the field become one: as metrics, or by pairs\n"
@@ -202,6 +204,11 @@ void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
   add_choice(command, "--remesh-vertices", remesh.vertices, remesh_vertices_names,
              "Places of the remesh's vertices: the seeds, or the surface points\n"
              "nearest to the centroids of the ground truth's regions")
+      ->group(group);
+  command
+      .add_flag("--quads", remesh.quads,
+                "Join triangles of the remesh to quadrilaterals, where their corners\n"
+                "have 30 to 150 degrees; best with --norm linf --vfield cross")
       ->group(group);
 }
 

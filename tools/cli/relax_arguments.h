@@ -26,13 +26,14 @@ struct SeedArguments {
 
 /// A tangent field.
 struct FieldArguments {
-  std::filesystem::path vfield;  ///< or the word for the surface's own field; empty: none
+  std::filesystem::path vfield;  ///< or the word for one of the surface's own fields; empty: none
 
-  /// A file of that name is ./curvature.
+  /// A file of that name is ./curvature, or ./cross.
   [[nodiscard]] bool has_curvature_field() const { return vfield == "curvature"; }
-  /// Empty where there is none.
+  [[nodiscard]] bool has_cross_field() const { return vfield == "cross"; }
+  /// Empty where the field is none or the surface's own.
   [[nodiscard]] std::filesystem::path field_file() const {
-    return has_curvature_field() ? std::filesystem::path() : vfield;
+    return has_curvature_field() || has_cross_field() ? std::filesystem::path() : vfield;
   }
 };
 
@@ -84,6 +85,7 @@ struct ThreadArguments {
 struct RemeshArguments {
   bool manifold = true;
   RemeshVertices vertices = RemeshVertices::seeds;
+  bool quads = false;
 };
 
 /// How pictures look.

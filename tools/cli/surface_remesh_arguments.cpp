@@ -54,6 +54,13 @@ void add_field_option(CLI::App& command, FieldArguments& field, const std::strin
       ->group(sizing_group);
 }
 
+void check_has_magnitudes(const FieldArguments& field) {
+  if (!field.has_cross_field()) return;
+  throw InvalidInput(
+      "--vfield cross: has directions without magnitudes, which shape no triangles: give "
+      "curvature, or a file");
+}
+
 void add_sizing_options(CLI::App& command, SizingArguments& sizing) {
   command
       .add_option("--sizing", sizing.lengths_file,

@@ -77,6 +77,8 @@ CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices, const
 void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
 /// --vfield, in the same group, with this description.
 void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what);
+/// Throws InvalidInput where the field has no magnitudes: it would change nothing.
+void check_has_magnitudes(const FieldArguments& field);
 /// --sizing, --density, --adapt and --growth.
 void add_sizing_options(CLI::App& command, SizingArguments& sizing);
 /// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.

@@ -32,7 +32,8 @@ struct BatchArguments {
   ThreadArguments threads;
   std::vector<std::string> seeds;
   std::size_t batches = 3;
-  std::vector<GraphKind> graphs = values_of(graph_kind_names);
+  std::vector<GraphKind> graphs = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
+                                   GraphKind::triangle_dense, GraphKind::mixed};  // the thesis's
   std::vector<GreedyMode> greedy = values_of(greedy_mode_names);
   std::vector<bool> macrostep_skip = values_of(switch_names);
   std::vector<bool> microstep_skip = values_of(switch_names);

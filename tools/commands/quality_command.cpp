@@ -7,6 +7,7 @@
 
 #include "geolloyd/errors.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/quality_output.h"
@@ -27,6 +28,7 @@ void run_quality(const QualityArguments& a) {
   if (input.original.empty() && !input.field.vfield.empty()) {
     throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
   }
+  check_has_magnitudes(input.field);
   if (!a.output.empty()) {
     check_target(a.output, std::array{input.remesh, input.original, input.field.field_file()});
   }

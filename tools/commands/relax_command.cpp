@@ -113,7 +113,8 @@ void print_summary(const RelaxArguments& arguments, const Start& start, const Re
   print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
   if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
   print_regions(result);
-  fmt::print("{}{}", describe(result.remesh), describe(result.remesh_properties));
+  fmt::print("{}{}{}", describe(result.remesh), describe(result.quads),
+             describe(result.remesh_properties));
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
   print_cost(start.seconds, result, cost);
   print_files(arguments, result.relaxation.steps.size());
@@ -182,6 +183,9 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
       {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
   result.remesh_properties = carry_properties(mesh, start.input.loaded.properties, start.mesh_graph,
                                               result.remesh, scheduler);
+  if (arguments.remesh.quads) {
+    result.quads = pair_triangles(result.remesh.mesh, find_edges(result.remesh.mesh, scheduler));
+  }
   cost.remesh_seconds = watch.seconds();
   return result;
 }
@@ -189,7 +193,7 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
 // Whose numbers a repair would change; empty: none is given.
 std::string option_that_names_vertices(const StartArguments& start) {
   if (!start.seeds.file.empty()) return "--seeds-file";
-  return start.graph.vfield.empty() || start.graph.has_curvature_field() ? "" : "--vfield";
+  return start.graph.field_file().empty() ? "" : "--vfield";
 }
 
 void run_relax(const RelaxArguments& arguments) {

@@ -100,6 +100,7 @@ std::string option_that_names_vertices(const SurfaceRemeshArguments& arguments) 
 
 void run_remesh(const SurfaceRemeshArguments& arguments) {
   check_fineness(arguments.fineness, arguments.sizing);
+  check_has_magnitudes(arguments.field);
   check_repair(arguments.repair, option_that_names_vertices(arguments));
   check_remesh_targets(arguments);
   const Stopwatch total;

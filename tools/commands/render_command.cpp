@@ -105,7 +105,11 @@ class Renderer {
                      *found_.engine, scheduler_},
                     {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
     const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
-    return to_pixels(other, paint_mesh(other, scheduler_), scheduler_);
+    QuadPairs pairs;
+    if (arguments_.remesh.quads) {
+      pairs = pair_triangles(remesh.mesh, find_edges(remesh.mesh, scheduler_));
+    }
+    return to_pixels(other, paint_mesh(other, scheduler_, {}, pairs.is_inner), scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {

@@ -108,6 +108,7 @@ void verify_relaxation(const VerifyArguments& a) {
 }
 
 void verify_remesh(const VerifyArguments& a) {
+  check_has_magnitudes(a.start.graph);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
   const LoadedInput loaded =

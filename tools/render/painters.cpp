@@ -32,7 +32,8 @@ Stroke disc(const Vec3& centre, double radius) {
 
 // Coverage of the edges of the scene's mesh at a sample; no wider than a share of the triangle, so
 // that fine meshes are not painted over.
-double edge_coverage(const Scene& scene, std::size_t sample) {
+double edge_coverage(const Scene& scene, std::size_t sample,
+                     std::span<const std::uint8_t> is_hidden) {
   const RayHit& hit = scene.hit[sample];
   const Triangle& t = scene.mesh.triangles[hit.triangle];
   const std::array<double, 3> weight = {1.0 - hit.u - hit.v, hit.u, hit.v};
@@ -45,6 +46,7 @@ double edge_coverage(const Scene& scene, std::size_t sample) {
   const std::array<double, 3> opposite = {(ac - ab).norm(), ac.norm(), ab.norm()};
   double most = 0;
   for (std::size_t c = 0; c < 3; ++c) {
+    if (!is_hidden.empty() && is_hidden[std::size_t{3} * hit.triangle + c] != 0) continue;
     const double height = twice_area / std::max(opposite[c], 1e-12);
     const double half_width = std::min(edge_half_width, 0.08 * height);
     const double room = (half_width - weight[c] * height) * SampleGrid::per_side + 0.5;
@@ -210,9 +212,11 @@ Canvas paint_surface(const Scene& scene, Executor& executor, const SurfaceColour
                [&](std::size_t sample) { return colours.at(scene, sample, clay); });
 }
 
-Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours) {
+Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours,
+                  std::span<const std::uint8_t> is_hidden) {
   return paint(scene, executor, [&](std::size_t sample) {
-    return blend(colours.at(scene, sample, clay), black, 0.85 * edge_coverage(scene, sample));
+    return blend(colours.at(scene, sample, clay), black,
+                 0.85 * edge_coverage(scene, sample, is_hidden));
   });
 }
 

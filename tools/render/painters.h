@@ -25,8 +25,10 @@ struct PartitionView {
 /// The surface in its own colours, if it has any.
 Canvas paint_surface(const Scene& scene, Executor& executor, const SurfaceColours& colours = {});
 
-/// The surface and the edges of the scene's mesh.
-Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours = {});
+/// The surface and the edges of the scene's mesh, but for those opposite to corners that are
+/// hidden: of each corner 0 or 1, or none at all.
+Canvas paint_mesh(const Scene& scene, Executor& executor, const SurfaceColours& colours = {},
+                  std::span<const std::uint8_t> is_hidden = {});
 
 /// Regions, borders between them, seeds as dots.
 Canvas paint_regions(const PartitionView& view, const Scene& scene, Executor& executor);

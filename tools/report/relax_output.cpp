@@ -50,6 +50,15 @@ void write_regions_csv(const MeshGraph& mesh_graph, const Partition& partition, 
   }
 }
 
+void write_remesh(const Result& result, FileWriter& out) {
+  const Mesh& mesh = result.remesh.mesh;
+  if (result.quads) {
+    write_faces_ply(out, mesh, result.quads->faces, result.remesh_properties);
+  } else {
+    write_mesh(out, mesh, result.remesh_properties);
+  }
+}
+
 }  // namespace
 
 void prepare_output(const RelaxArguments& arguments) {
@@ -89,7 +98,7 @@ void write_results(const Start& start, const Result& result, FileGroup& files,
                            labels.subspan(vertices), start.input.loaded.properties);
       },
       [&] { write_regions_csv(mesh_graph, partition, files[regions_file]); },
-      [&] { write_mesh(files[remesh_file], result.remesh.mesh, result.remesh_properties); },
+      [&] { write_remesh(result, files[remesh_file]); },
       [&] { write_seeds_csv(mesh_graph, result.regions, files[seeds_file]); });
 }
 

@@ -117,6 +117,26 @@ std::string describe(const GraphRemesh& remesh) {
   return text;
 }
 
+std::string describe(const std::optional<QuadPairs>& quads) {
+  if (!quads) return "";
+  const std::size_t triangles = quads->faces.size() - quads->quads;
+  std::string text = counted(quads->quads, "quadrilateral", "quadrilaterals") + " and " +
+                     counted(triangles, "triangle", "triangles");
+  if (quads->quads > 0) {
+    text += fmt::format("; corners of {:.0f} to {:.0f} degrees", quads->smallest_angle,
+                        quads->largest_angle);
+  }
+  return line(text);
+}
+
+Json quads_part(const std::optional<QuadPairs>& quads) {
+  if (!quads) return nullptr;
+  return {{"quadrilaterals", quads->quads},
+          {"triangles", quads->faces.size() - quads->quads},
+          {"smallest_angle", quads->quads > 0 ? Json(quads->smallest_angle) : Json(nullptr)},
+          {"largest_angle", quads->quads > 0 ? Json(quads->largest_angle) : Json(nullptr)}};
+}
+
 Json remesh_part(const GraphRemesh& remesh) {
   const std::string flaw = find_flaw(remesh);
   return {{"vertices", remesh.mesh.vertex_count()},

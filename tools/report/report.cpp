@@ -100,6 +100,7 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["isoperimetric_ratio"] = {{"mean", result.remesh.roundness.mean},
                                    {"min", result.remesh.roundness.min}};
   report["remesh"] = remesh_part(result.remesh);
+  report["quads"] = quads_part(result.quads);
   report["properties"] = properties_part(result.remesh_properties);
   if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
+#include "core/mesh/quad_pairs.h"
 #include "core/remesh/tessellation.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/run/remesh.h"
@@ -19,6 +20,7 @@ struct Result {
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
   GraphRemesh remesh;
+  std::optional<QuadPairs> quads;  ///< of the remesh, if they were wanted
   Properties remesh_properties;
   std::vector<RegionSummary> regions;
   bool interrupted = false;  ///< before the results were written: they may be less than otherwise

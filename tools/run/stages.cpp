@@ -9,6 +9,7 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/properties.h"
 #include "core/seeds/seed_file.h"
@@ -35,12 +36,13 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.nodes =
       (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
   size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_arcs(mesh, loaded.edges, kind);
+  size.links = count_arcs(mesh, loaded.edges, kind, scheduler);
   check_arc_count(size.links);
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
   size.threads = scheduler.threads();
   size.has_field = !arguments.vfield.empty();
   size.has_curvature_field = arguments.has_curvature_field();
+  size.has_cross_field = arguments.has_cross_field();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
@@ -76,6 +78,7 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
                                      const MeshEdges& edges, Executor& executor) {
   if (arguments.vfield.empty()) return {};
   if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);
+  if (arguments.has_cross_field()) return cross_field(mesh, edges, executor);
   return read_tangent_field(arguments.vfield, mesh.vertex_count());
 }
 

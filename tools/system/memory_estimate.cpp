@@ -55,8 +55,10 @@ Bytes building_graph(const RunSize& s) {
   const Bytes spaces = s.has_field ? 64 * (s.vertices + s.triangles) : 0;  // TangentSpace
   // Before that, normals, axes, tensors, and how a tensor passes along each edge, either way.
   const Bytes curvature = s.has_curvature_field ? 140 * s.vertices + 56 * s.edges : 0;
+  // For crosses, after that, what a vertex sees of its neighbours, on all levels.
+  const Bytes crosses = s.has_cross_field ? 340 * s.vertices + 180 * s.edges : 0;
   const Bytes graph = graph_bytes(s) + 45 * s.nodes + 40 * s.links;
-  return edge_bytes(s.edges, s.triangles) + std::max(graph, curvature) + spaces;
+  return edge_bytes(s.edges, s.triangles) + std::max({graph, curvature, crosses}) + spaces;
 }
 
 // Keys, parents, sums, what a node belongs to; and a copy of the partition in the result.

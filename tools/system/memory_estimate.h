@@ -20,6 +20,7 @@ struct RunSize {
   bool has_triangle_nodes = false;  ///< of the graph
   bool has_field = false;
   bool has_curvature_field = false;
+  bool has_cross_field = false;   ///< and that of crosses
   bool is_reference = false;      ///< the engine
   bool has_coarse_graph = false;  ///< on which the first seeds come to rest
   bool has_ground_truth = false;  ///< for the result or for the remesh

@@ -16,7 +16,7 @@ const std::vector<Named<Shape>> shape_names = {
 const std::vector<Named<GraphKind>> graph_kind_names = {
     {"vertex", GraphKind::vertex},     {"vertex-dense", GraphKind::vertex_dense},
     {"triangle", GraphKind::triangle}, {"triangle-dense", GraphKind::triangle_dense},
-    {"mixed", GraphKind::mixed},
+    {"mixed", GraphKind::mixed},       {"vertex-far", GraphKind::vertex_far},
 };
 
 const std::vector<Named<Norm>> norm_names = {

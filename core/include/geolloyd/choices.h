@@ -7,14 +7,16 @@
 
 namespace geolloyd {
 
-/// Which parts of the mesh are nodes, and which of them are joined (thesis, the five graphs):
+/// Which parts of the mesh are nodes, and which of them are joined (the first five: thesis):
 /// vertex          vertices; arcs along edges
 /// vertex_dense    and between the two vertices opposite a shared edge
 /// triangle        triangles; arcs across shared edges
 /// triangle_dense  and between triangles that share a vertex, by way of it
 /// mixed           vertices and triangles as in the first and third, and each triangle to its
 /// corners
-enum class GraphKind { vertex, vertex_dense, triangle, triangle_dense, mixed };
+/// vertex_far      vertices; arcs along edges and straight over the surface, across up to five
+/// edges
+enum class GraphKind { vertex, vertex_dense, triangle, triangle_dense, mixed, vertex_far };
 
 /// How the components of a displacement make its length: their root of squares, the sum of their
 /// absolute values, or the largest of these.
