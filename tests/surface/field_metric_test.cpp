@@ -15,15 +15,15 @@
 namespace geolloyd {
 namespace {
 
-const Vec3 first = Vec3(1, 2, 2) / 3;
-const Vec3 second = Vec3(2, 1, -2) / 3;
+const Vec3 first_axis = Vec3(1, 2, 2) / 3;
+const Vec3 second_axis = Vec3(2, 1, -2) / 3;
 
 std::vector<Metric> shapes_of_one(const TangentSpace& space) {
   return shapes_of(std::array{space});
 }
 
 TEST(FieldMetric, OfEqualMagnitudesIsRound) {
-  const Metric shape = shapes_of_one({first, second, 5, 5})[0];
+  const Metric shape = shapes_of_one({first_axis, second_axis, 5, 5})[0];
   for (std::uint64_t n = 0; n < 20; ++n) {
     const Vec3 v = random_point(1, n);
     EXPECT_NEAR(shape.length(v), norm(v), 1e-14);
@@ -31,19 +31,19 @@ TEST(FieldMetric, OfEqualMagnitudesIsRound) {
 }
 
 TEST(FieldMetric, StretchesByTheRatioOfMagnitudes) {
-  const Metric shape = shapes_of_one({first, second, 8, 2})[0];
-  EXPECT_NEAR(shape.length(first), 2, 1e-14);
-  EXPECT_NEAR(shape.length(second), 0.5, 1e-14);
-  EXPECT_NEAR(shape.length(cross(first, second)), 1, 1e-14);
-  EXPECT_NEAR(lengths_of(std::array{TangentSpace{first, second, 8, 2}})[0], 0.25, 1e-15);
+  const Metric shape = shapes_of_one({first_axis, second_axis, 8, 2})[0];
+  EXPECT_NEAR(shape.length(first_axis), 2, 1e-14);
+  EXPECT_NEAR(shape.length(second_axis), 0.5, 1e-14);
+  EXPECT_NEAR(shape.length(cross(first_axis, second_axis)), 1, 1e-14);
+  EXPECT_NEAR(lengths_of(std::array{TangentSpace{first_axis, second_axis, 8, 2}})[0], 0.25, 1e-15);
 }
 
 // Neither signs, nor order, nor handedness of the directions matter.
 TEST(FieldMetric, KnowsNoSignsAndNoOrder) {
-  const Metric shape = shapes_of_one({first, second, 8, 2})[0];
+  const Metric shape = shapes_of_one({first_axis, second_axis, 8, 2})[0];
   for (const TangentSpace& same :
-       {TangentSpace{-first, second, 8, 2}, TangentSpace{second, first, 2, 8},
-        TangentSpace{second, -first, 2, 8}}) {
+       {TangentSpace{-first_axis, second_axis, 8, 2}, TangentSpace{second_axis, first_axis, 2, 8},
+        TangentSpace{second_axis, -first_axis, 2, 8}}) {
     const Metric other = shapes_of_one(same)[0];
     for (std::uint64_t n = 0; n < 20; ++n) {
       const Vec3 v = random_point(1, n);
@@ -53,18 +53,19 @@ TEST(FieldMetric, KnowsNoSignsAndNoOrder) {
 }
 
 TEST(FieldMetric, IsRoundWhereDirectionsSpanNoPlane) {
-  EXPECT_EQ(shapes_of_one({first, first, 3, 1})[0], Metric{});
+  EXPECT_EQ(shapes_of_one({first_axis, first_axis, 3, 1})[0], Metric{});
   EXPECT_EQ(shapes_of_one({Vec3::Zero(), Vec3::Zero(), 3, 1})[0], Metric{});
 }
 
 TEST(FieldMetric, RefusesWhatNoCellCanFollow) {
   for (const auto& [k1, k2] :
        {std::pair{0.0, 1.0}, {1.0, 0.0}, {0.0, 0.0}, {101.0, 1.0}, {1.0, 101.0}}) {
-    EXPECT_THROW(shapes_of_one({first, second, k1, k2}), InvalidInput) << k1 << " " << k2;
+    EXPECT_THROW(shapes_of_one({first_axis, second_axis, k1, k2}), InvalidInput) << k1 << " " << k2;
   }
-  EXPECT_NO_THROW(shapes_of_one({first, second, 100, 1}));
+  EXPECT_NO_THROW(shapes_of_one({first_axis, second_axis, 100, 1}));
   // Directions that are nearly parallel have a principal stretch of their own.
-  EXPECT_THROW(shapes_of_one({first, (first + 1e-3 * second).normalized(), 1, 1}), InvalidInput);
+  EXPECT_THROW(shapes_of_one({first_axis, (first_axis + 1e-3 * second_axis).normalized(), 1, 1}),
+               InvalidInput);
 }
 
 // In a metric that is the same everywhere, cells are those of a surface mapped by its root.
