@@ -16,7 +16,7 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::array new_ways = {SeedInit::surface, SeedInit::coarse};
+constexpr std::array new_ways = {SeedInit::surface, SeedInit::coarse, SeedInit::automatic};
 
 struct Chosen {
   MeshGraph made;
@@ -87,6 +87,22 @@ TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {
           energy_from(choose(mesh, GraphKind::vertex, SeedInit::farthest, count, threads), threads);
     }
     EXPECT_LT(sum, of_farthest) << int(init);
+  }
+}
+
+TEST(FirstSeeds, AreChosenInTheWayThatSuitsTheNumbers) {
+  EXPECT_EQ(suited_init(700'000, 1), SeedInit::coarse);
+  EXPECT_EQ(suited_init(700'000, 128), SeedInit::coarse);
+  EXPECT_EQ(suited_init(700'000, 129), SeedInit::surface);
+  EXPECT_EQ(suited_init(10'000, 100), SeedInit::surface);
+  EXPECT_EQ(suited_init(10'000, 4'000), SeedInit::farthest);
+  EXPECT_EQ(suited_init(1, 1), SeedInit::farthest);
+  Threads threads(2);
+  const Mesh mesh = creature(2000, 1);
+  for (const std::size_t count : {3U, 100U, 500U}) {
+    const auto chosen = choose(mesh, GraphKind::vertex, SeedInit::automatic, count, threads);
+    const SeedInit suited = suited_init(chosen.made.graph.node_count(), count);
+    EXPECT_EQ(chosen.seeds, choose(mesh, GraphKind::vertex, suited, count, threads).seeds);
   }
 }
 
