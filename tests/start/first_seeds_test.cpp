@@ -77,17 +77,23 @@ TEST(FirstSeeds, AreTheSameWithAnyRuntime) {
 
 TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {
   Threads threads(2);
-  const Mesh mesh = creature(60000, 1);
-  for (const SeedInit init : new_ways) {
+  const Mesh mesh = creature(30000, 1);
+  const auto ratio = [&](SeedInit init, std::initializer_list<std::size_t> counts) {
     double sum = 0;
     double of_farthest = 0;
-    for (const std::size_t count : {50U, 100U, 200U}) {
-      sum += energy_from(choose(mesh, GraphKind::vertex, init, count, threads), threads);
-      of_farthest +=
-          energy_from(choose(mesh, GraphKind::vertex, SeedInit::farthest, count, threads), threads);
+    for (const std::size_t count : counts) {
+      const auto energy = [&](SeedInit way) {
+        return energy_from(choose(mesh, GraphKind::vertex, way, count, threads), threads) *
+               static_cast<double>(count);
+      };
+      sum += energy(init);
+      of_farthest += energy(SeedInit::farthest);
     }
-    EXPECT_LT(sum, of_farthest) << int(init);
-  }
+    return sum / of_farthest;
+  };
+  EXPECT_LT(ratio(SeedInit::coarse, {20, 50, 100}), 1);
+  EXPECT_LT(ratio(SeedInit::surface, {200, 400, 800}), 1);
+  EXPECT_LT(ratio(SeedInit::automatic, {20, 100, 400, 800}), 0.99);
 }
 
 TEST(FirstSeeds, AreChosenInTheWayThatSuitsTheNumbers) {
