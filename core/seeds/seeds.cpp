@@ -198,6 +198,22 @@ std::vector<std::size_t> share_out(const Graph& graph, const Components& compone
   return seeds;
 }
 
+// The node in the middle of each of `count` equal shares of the mass, or the next one that is free.
+void spread_among(const Graph& graph, std::span<const NodeId> nodes, std::size_t count,
+                  std::vector<NodeId>& places) {
+  Uint128 whole = 0;
+  for (const NodeId v : nodes) whole += graph.mass[v];
+  Uint128 up_to = 0;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < nodes.size() && taken < count; ++i) {
+    up_to += graph.mass[nodes[i]];
+    const bool is_due = 2 * count * up_to >= (2 * taken + 1) * whole;
+    if (!is_due && nodes.size() - i > count - taken) continue;
+    places.push_back(nodes[i]);
+    ++taken;
+  }
+}
+
 }  // namespace
 
 void check_seed_count(const Graph& graph, const Components& components, std::size_t count) {
@@ -242,6 +258,7 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
         break;
       case SeedInit::surface:
       case SeedInit::coarse:
+      case SeedInit::automatic:
         chooser.choose_farthest(nodes, share[c]);
         break;
     }
@@ -264,6 +281,18 @@ std::vector<NodeId> complete_seeds(const Graph& graph, const Components& compone
     chooser.complete(kept[c], components.nodes(c), share[c]);
   }
   return chooser.take();
+}
+
+std::vector<NodeId> spread_nodes(const Graph& graph, const Components& components,
+                                 std::size_t count) {
+  const std::vector<std::size_t> share = share_out(graph, components, count);
+  std::vector<NodeId> places;
+  places.reserve(count);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    spread_among(graph, components.nodes(c), share[c], places);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 void check_every_component_has_a_seed(std::string_view name, const MeshGraph& mesh_graph,

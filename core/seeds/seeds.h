@@ -35,6 +35,11 @@ std::vector<NodeId> complete_seeds(const Graph& graph, const Components& compone
                                    std::span<const NodeId> given, std::size_t count,
                                    std::uint64_t random_seed, GrowingSearch& search);
 
+/// `count` different nodes, ascending, with about equal masses between them in the order of nodes,
+/// which is one of places; shared out among components as by choose_seeds.
+std::vector<NodeId> spread_nodes(const Graph& graph, const Components& components,
+                                 std::size_t count);
+
 /// Throws InvalidInput where a component has none of these seeds, and so would have no region.
 /// `name` opens the message.
 void check_every_component_has_a_seed(std::string_view name, const MeshGraph& mesh_graph,

@@ -15,10 +15,15 @@ namespace geolloyd {
 
 /// How many first seeds, and how they are chosen.
 struct FirstSeedOptions {
-  SeedInit init = SeedInit::farthest;
+  SeedInit init = SeedInit::automatic;
   std::size_t count = 0;
   std::uint64_t random_seed = 1;
 };
+
+/// What `automatic` stands for: `coarse` for few seeds, where the graph is fine enough for it;
+/// `surface` for many, where the graph has some nodes for each; else `farthest` (bench/README.md,
+/// "Ways out of local minima").
+SeedInit suited_init(std::size_t nodes, std::size_t count);
 
 /// `count` different nodes of a mesh's graph, by any way to choose them: choose_seeds (seeds.h),
 /// and the ways that need more than the graph. Where sites of the surface, or seeds of a coarser

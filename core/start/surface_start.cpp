@@ -17,7 +17,7 @@ SurfaceInputOptions surface_options(const Mesh& mesh, std::span<const TriangleId
 }
 
 SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                double area, std::size_t sites,
+                                double area, std::size_t sites, const RestEffort& effort,
                                 const MakeSurfaceEngine& make_engine, Executor& executor) {
   SurfaceStart start;
   start.whole = std::make_unique<const SurfaceInput>(
@@ -27,7 +27,7 @@ SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> du
   start.divided = std::make_unique<const DividedSurface>(start.input(), spacing, true, executor);
   const SurfaceRemeshOptions options;
   SiteRelaxer relaxer(make_engine, options, whole_area, 1 / start.input().frame.scale, executor);
-  start.resting = rest_sites(start.surface(), sites, relaxer, executor);
+  start.resting = rest_sites(start.surface(), sites, relaxer, effort, executor);
   return start;
 }
 

@@ -29,7 +29,7 @@ SurfaceInputOptions surface_options(const Mesh& mesh, std::span<const TriangleId
 
 /// The mesh has an area. There are `sites` of them, or the least that its parts need.
 SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                double area, std::size_t sites,
+                                double area, std::size_t sites, const RestEffort& effort,
                                 const MakeSurfaceEngine& make_engine,
                                 Executor& executor = sequential());
 

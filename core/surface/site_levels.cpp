@@ -15,9 +15,9 @@ namespace {
 
 // Irregular sites of a level are inherited by the next one, so coarse levels, where an iteration
 // costs little, come to rest best.
-std::size_t iterations_on(const LevelMesh& level) {
-  constexpr std::size_t vertex_visits = 5'000'000;
-  return std::clamp(vertex_visits / level.patch.size(), std::size_t{35}, std::size_t{200});
+std::size_t iterations_on(const LevelMesh& level, const RestEffort& effort) {
+  return std::clamp(effort.vertex_visits / level.patch.size(), effort.fewest_iterations,
+                    effort.most_iterations);
 }
 
 // The whole course goes on from the few sites of the first levels, which may have come to rest in a
@@ -49,11 +49,12 @@ std::vector<double> spacings_of(const std::vector<SiteBudget>& levels) {
 class LevelByLevel {
  public:
   LevelByLevel(const DividedSurface& surface, std::vector<SiteBudget> levels, SiteRelaxer& relaxer,
-               Executor& executor)
+               const RestEffort& effort, Executor& executor)
       : surface_(surface),
         levels_(std::move(levels)),
         meshes_(surface, spacings_of(levels_), executor),
         relaxer_(relaxer),
+        effort_(effort),
         executor_(executor) {}
 
   RestingSites run() {
@@ -83,8 +84,8 @@ class LevelByLevel {
     constexpr std::size_t first_iterations = 10;
     relaxer_.relax(*on_, state_, first_iterations);
     balance(level);
-    const double energy = relaxer_.relax(*on_, state_, iterations_on(*on_));
-    try_again(energy, levels_[level].spacing);
+    const double energy = relaxer_.relax(*on_, state_, iterations_on(*on_, effort_));
+    if (effort_.tries_again) try_again(energy, levels_[level].spacing);
   }
 
   // Each attempt starts from the best one, shaken.
@@ -93,7 +94,7 @@ class LevelByLevel {
     for (std::uint64_t attempt = 1; attempt <= attempts; ++attempt) {
       LabelledSites shaken = state_;
       shake(shaken, spacing, attempt);
-      const double reached = relaxer_.relax(*on_, shaken, iterations_on(*on_));
+      const double reached = relaxer_.relax(*on_, shaken, iterations_on(*on_, effort_));
       if (reached >= energy) continue;
       energy = reached;
       state_ = std::move(shaken);
@@ -150,6 +151,7 @@ class LevelByLevel {
   std::vector<SiteBudget> levels_;
   LevelMeshes meshes_;
   SiteRelaxer& relaxer_;
+  RestEffort effort_;
   Executor& executor_;
   const LevelMesh* on_ = nullptr;
   LabelledSites state_;
@@ -159,10 +161,10 @@ class LevelByLevel {
 }  // namespace
 
 RestingSites rest_sites(const DividedSurface& surface, std::size_t count, SiteRelaxer& relaxer,
-                        Executor& executor) {
+                        const RestEffort& effort, Executor& executor) {
   const SiteBudgeter budgeter(surface);
   relaxer.set_wanted_sites(count);
-  return LevelByLevel(surface, plan_levels(budgeter, count), relaxer, executor).run();
+  return LevelByLevel(surface, plan_levels(budgeter, count), relaxer, effort, executor).run();
 }
 
 }  // namespace geolloyd

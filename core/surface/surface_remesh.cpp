@@ -85,7 +85,7 @@ class SurfaceRemesher {
       const SiteBudgeter budgeter(*surface_);
       count_ = has_count ? options_.vertex_count : budgeter.at_spacing(spacing).total();
       spacing_ = has_count ? budgeter.of_size(count_).spacing : spacing;
-      RestingSites resting = rest_sites(*surface_, count_, relaxer_, executor_);
+      RestingSites resting = rest_sites(*surface_, count_, relaxer_, {}, executor_);
       dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
       if (open_pinholes(*surface_, dualised_.state.sites, dualised_.dual.triangles)) break;
     }

@@ -77,6 +77,20 @@ void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piec
   settle(keys, note_change);
 }
 
+void DeltaStepping::lower_from(std::span<const NodeId> sources, std::vector<Key>& keys) {
+  constexpr std::size_t grain = 1 << 12;
+  begin();
+  const auto ignore = [](Buckets&, NodeId, Key, Key) {};
+  parallel_for_ranges(scheduler_, sources.size(), grain,
+                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          const Key own = load_key(keys[sources[i]]);
+                          offer_all(sources[i], own, keys, buckets_[worker], ignore);
+                        }
+                      });
+  settle(keys, ignore);
+}
+
 // Most seeds of many are near to few nodes: one thread does these before others would be awake.
 void DeltaStepping::add_seed(NodeId seed, RegionId region, std::vector<Key>& keys,
                              std::vector<NodeId>& nearer) {
@@ -129,10 +143,15 @@ template <class OnLowered>
 void DeltaStepping::relax(const Entry& entry, std::vector<Key>& keys, Buckets& mine,
                           OnLowered&& on_lowered) {
   const auto [key, v] = entry;
-  if (load_key(keys[v]) != key) return;
+  if (load_key(keys[v]) == key) offer_all(v, key, keys, mine, on_lowered);
+}
+
+template <class OnLowered>
+void DeltaStepping::offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets& mine,
+                              OnLowered&& on_lowered) {
   for (ArcId a = graph_.first_arc[v]; a < graph_.first_arc[v + 1]; ++a) {
     const NodeId u = graph_.target[a];
-    const Key offered = along(key, graph_.length[a]);
+    const Key offered = along(own, graph_.length[a]);
     const Key before = lower_key(keys[u], offered);
     if (offered >= before) continue;
     on_lowered(mine, u, before, offered);

@@ -32,6 +32,9 @@ class DeltaStepping {
   void repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
               std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed);
 
+  /// From `keys` that are such bounds, to be lowered by no arc but those that leave `sources`.
+  void lower_from(std::span<const NodeId> sources, std::vector<Key>& keys);
+
   /// Of `keys` that are a partition already: lowers those nearer to `seed`, a new region's, and
   /// adds them to `nearer`, maybe more than once.
   void add_seed(NodeId seed, RegionId region, std::vector<Key>& keys, std::vector<NodeId>& nearer);
@@ -75,6 +78,8 @@ class DeltaStepping {
                      Buckets& mine, OnLowered&& on_lowered);
   template <class OnLowered>
   void examine(NodeId v, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
+  template <class OnLowered>
+  void offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   std::size_t take_next_bucket(std::size_t bucket);
 
   Scheduler& scheduler_;

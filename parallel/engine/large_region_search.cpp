@@ -30,12 +30,25 @@ void LargeRegionSearch::run(const Partition& partition, NodeId stand, const Bran
   const std::uint32_t distance = distance_of(partition.key[source]);
   std::vector<std::uint8_t> below;
   find_branches_below(graph_, partition, stand, branch_of, source, below);
-  parallel_for(scheduler_, keys_.size(), grain, [&](std::size_t v) {
-    keys_[v] = bound_after_move(partition.key[v], branch_of[v], below, distance);
-  });
+  const auto is_nearer = [&](std::size_t v) {
+    return branch_of[v] < below.size() && below[branch_of[v]] != 0;
+  };
+  nearer_of_worker_.resize(scheduler_.threads());
+  for (std::vector<NodeId>& nearer : nearer_of_worker_) nearer.clear();
+  parallel_for_ranges(
+      scheduler_, keys_.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+        for (auto v = static_cast<NodeId>(begin); v < end; ++v) {
+          keys_[v] = bound_after_move(partition.key[v], branch_of[v], below, distance);
+          if (is_nearer(v)) nearer_of_worker_[worker].push_back(v);
+        }
+      });
   keys_[source] = make_key(0, 0);
-  std::vector<std::uint8_t> is_changed(1);
-  delta_stepping_.repair(region_nodes_, pieces_, keys_, is_changed);
+  nearer_.assign(1, source);
+  for (const std::vector<NodeId>& nearer : nearer_of_worker_) {
+    nearer_.insert(nearer_.end(), nearer.begin(), nearer.end());
+  }
+  // What is nearer knows its distance, and no other bounds contradict each other.
+  delta_stepping_.lower_from(nearer_, keys_);
 }
 
 void LargeRegionSearch::derive_parents(Partition& partition) {

@@ -13,8 +13,8 @@
 
 namespace geolloyd {
 
-/// Shortest distances over one large graph from one source at a time, by all threads: what lanes
-/// (simd_search.h) are to small regions. The bounds to start from are the same.
+/// Shortest distances over one large graph from one source at a time, by all threads or by one:
+/// what lanes (simd_search.h) are to small regions. The bounds to start from are the same.
 class LargeRegionSearch {
  public:
   LargeRegionSearch(Scheduler& scheduler, const Graph& graph);
@@ -42,6 +42,9 @@ class LargeRegionSearch {
   RegionNodes region_nodes_;  // one region: all nodes
   std::vector<Piece> pieces_;
   std::vector<Key> keys_;
+  // To the source than to the stand, by as much as these are apart.
+  std::vector<NodeId> nearer_;
+  std::vector<std::vector<NodeId>> nearer_of_worker_;
   NodeId source_ = no_id;
 };
 

@@ -14,8 +14,11 @@ void RegionRelaxation::gather(const Graph& graph, const std::vector<Key>& keys,
                               Scheduler* shared) {
   laps_.begin(weight_of_time(nodes.size(), shared));
   copy_region(graph, keys, nodes, local_of, local_);
-  shared_ =
-      shared != nullptr ? std::make_unique<LargeRegionSearch>(*shared, local_.graph) : nullptr;
+  constexpr std::size_t large_size = 1 << 13;  // nodes: lanes of so many leave the cache
+  Scheduler& workers = shared != nullptr ? *shared : alone_;
+  large_ = shared != nullptr || nodes.size() >= large_size
+               ? std::make_unique<LargeRegionSearch>(workers, local_.graph)
+               : nullptr;
   laps_.end(seconds_.gathering);
 }
 
@@ -84,9 +87,9 @@ void RegionRelaxation::stand_at(NodeId node) {
 }
 
 void RegionRelaxation::move_keys_to(NodeId node) {
-  if (shared_) {
-    if (shared_->source() != node) search_shared(node);
-    shared_->swap_keys(local_.partition.key);
+  if (large_) {
+    if (large_->source() != node) search_large(node);
+    large_->swap_keys(local_.partition.key);
     return;
   }
   auto source = std::find(sources_.begin(), sources_.end(), node);
@@ -104,14 +107,14 @@ void RegionRelaxation::move_keys_to(NodeId node) {
 
 void RegionRelaxation::find_sums() {
   const std::span<const NodeId> nodes = std::span<const NodeId>(all_).first(local_.size());
-  if (shared_) {
-    shared_->derive_parents(local_.partition);
+  if (large_) {
+    large_->derive_parents(local_.partition);
   } else {
     derive_parents(local_.graph, local_.partition.key, nodes, local_.partition.parent);
   }
   laps_.end(seconds_.locked_search);
-  if (shared_) {
-    shared_->find_sums(stand_, local_.partition, branch_of_, sums_);
+  if (large_) {
+    large_->find_sums(stand_, local_.partition, branch_of_, sums_);
   } else {
     find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
   }
@@ -139,9 +142,9 @@ NodeId RegionRelaxation::best_promise() const {
 }
 
 Score RegionRelaxation::score_of(NodeId node) {
-  if (shared_) {
-    search_shared(node);
-    const Score score = shared_->score();
+  if (large_) {
+    search_large(node);
+    const Score score = large_->score();
     laps_.end(seconds_.scoring);
     return score;
   }
@@ -149,8 +152,8 @@ Score RegionRelaxation::score_of(NodeId node) {
   return ahead_[node];
 }
 
-void RegionRelaxation::search_shared(NodeId source) {
-  shared_->run(local_.partition, stand_, branch_of_, source);
+void RegionRelaxation::search_large(NodeId source) {
+  large_->run(local_.partition, stand_, branch_of_, source);
   laps_.end(seconds_.locked_search);
 }
 

@@ -26,7 +26,9 @@ namespace geolloyd {
 ///   neighbour, finds it no better, and comes back; back, nothing is new.
 /// * Such a visit asks for the score only. Subtree sums are needed where the seed *stands*, which
 ///   is where it has no lower neighbour: there it compares those it has not been to.
-/// * Standing, it will want the scores of most of these. They are found together (simd_search.h).
+/// * Standing, it will want the scores of most of these. They are found together (simd_search.h),
+///   but in large regions one by one: lanes of many nodes leave the cache, and the seed mostly goes
+///   on to the first.
 ///
 /// One per thread; the memory is reused.
 class RegionRelaxation {
@@ -71,12 +73,13 @@ class RegionRelaxation {
   [[nodiscard]] NodeId best_promise() const;
   Score score_of(NodeId node);
   void look_ahead(NodeId node);
-  void search_shared(NodeId source);
+  void search_large(NodeId source);
   void search_from_sources();
   void find_order();
   void offset_lane(std::size_t lane);
 
   const std::function<bool()>& goes_on_;
+  Scheduler alone_{1};  // of large regions that are not shared
   bool extended_ = true;
   LocalRegion local_;
 
@@ -91,7 +94,7 @@ class RegionRelaxation {
   BranchOf branch_of_;
   SubtreeSums sums_;
 
-  std::unique_ptr<LargeRegionSearch> shared_;  // null when working alone
+  std::unique_ptr<LargeRegionSearch> large_;  // null where lanes search
   SimdSearch lanes_;
   std::vector<NodeId> sources_;  // of the lanes; none where these are not of this stand
 

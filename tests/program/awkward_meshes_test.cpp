@@ -86,7 +86,7 @@ const std::vector<OddMesh> odd_meshes = {
     {"BowTie", {star_points, {{0, 2, 3}, {0, 4, 5}}}, 1, {"1 component,", "1 vertex where surfaces touch"}},
     {"MoebiusStrip", moebius_strip(20), 2, {"1 edges between opposite orientations", "Euler characteristic 0, 1 boundary loop, manifold"}},
     {"MoebiusStripOfThreeCells", moebius_strip(3), 2, {"Euler characteristic 0"}},
-    {"ThousandsOfComponents", triangles_apart(3000), 3003, {"3,000 components", "3,003 from farthest"}},
+    {"ThousandsOfComponents", triangles_apart(3000), 3003, {"3,000 components", "3,003 from auto (farthest)"}},
     {"Huge", tube(1e30), 4, {"diagonal 5.74456e+30", "manifold"}},
     {"Tiny", tube(1e-30), 4, {"diagonal 5.74456e-30", "manifold"}},
     {"LargestCoordinates", tube(2e74), 4, {"diagonal 1.14891e+75", "manifold"}},

@@ -146,7 +146,7 @@ TEST_F(Program, EstimatesTheMemoryOfSeedsInAFileAsOfSeedsChosen) {
   const auto estimate = [&](const std::string& name) -> std::uint64_t {
     return nlohmann::json::parse(read_file(out(name) / "report.json"))["memory_estimate_bytes"];
   };
-  ASSERT_EQ(relax("--seeds 50", "chosen").status, 0);
+  ASSERT_EQ(relax("--seeds 50 --init farthest", "chosen").status, 0);
   std::string ids = "# fifty\n\n";
   const std::vector<std::string> lines = lines_of(out("chosen") / "seeds.csv");
   for (std::size_t i = 1; i < lines.size(); ++i)

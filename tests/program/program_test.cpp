@@ -175,7 +175,8 @@ TEST_F(Program, WorksOnEveryGraphInitNormAndMode) {
                                                 "--norm linf",
                                                 "--greedy extended",
                                                 "--greedy standard",
-                                                "--random-seed 2",
+                                                "--init farthest",
+                                                "--init farthest --random-seed 2",
                                                 "--greedy extended --max-greedy-steps 3"};
   for (const std::string& options : all_options) {
     const Outcome outcome = relax("--seeds 20 " + options);
@@ -282,7 +283,7 @@ TEST_F(Program, SaysSoWhenMemoryRunsOut) {
 }
 
 TEST_F(Program, ContinuesFromWrittenSeeds) {
-  ASSERT_EQ(relax("--seeds 20 --max-greedy-steps 2 --max-macrosteps 1", "first").status, 0);
+  ASSERT_EQ(relax("--seeds 20 --init farthest --max-macrosteps 1", "first").status, 0);
   EXPECT_EQ(report_in(out("first"))["end"], "limit");
   const double reached = report_in(out("first"))["energy"];
   ASSERT_EQ(relax("--seeds-file " + (out("first") / "seeds.csv").string(), "second").status, 0);

@@ -38,6 +38,23 @@ TEST(Seeds, AreDifferentNodesAndReachEveryComponentWhateverTheirNumber) {
   }
 }
 
+TEST(Seeds, ThatAreSpreadAreDifferentReachEveryComponentAndShareTheMass) {
+  for (std::uint64_t random_seed = 0; random_seed < 40; ++random_seed) {
+    const Graph graph = random_graph(random_seed, 25);
+    const Components components = connected_components(graph);
+    for (std::size_t count = components.size(); count <= 25; ++count) {
+      const auto seeds = spread_nodes(graph, components, count);
+      ASSERT_EQ(std::set(seeds.begin(), seeds.end()).size(), count);
+      ASSERT_TRUE(std::is_sorted(seeds.begin(), seeds.end()));
+      std::set<std::uint32_t> reached;
+      for (const NodeId s : seeds) reached.insert(components.component_of[s]);
+      ASSERT_EQ(reached.size(), components.size());
+    }
+  }
+  const Graph row = grid_graph(90, 1);
+  EXPECT_EQ(spread_nodes(row, connected_components(row), 3), (std::vector<NodeId>{14, 44, 74}));
+}
+
 TEST(Seeds, AreTheSameForTheSameRandomSeedOnly) {
   const Graph graph = grid_graph(20, 20);
   for (const SeedInit init : all_inits) {

@@ -16,7 +16,7 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::array new_ways = {SeedInit::surface, SeedInit::coarse};
+constexpr std::array new_ways = {SeedInit::surface, SeedInit::coarse, SeedInit::automatic};
 
 struct Chosen {
   MeshGraph made;
@@ -77,16 +77,38 @@ TEST(FirstSeeds, AreTheSameWithAnyRuntime) {
 
 TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {
   Threads threads(2);
-  const Mesh mesh = creature(60000, 1);
-  for (const SeedInit init : new_ways) {
+  const Mesh mesh = creature(30000, 1);
+  const auto ratio = [&](SeedInit init, std::initializer_list<std::size_t> counts) {
     double sum = 0;
     double of_farthest = 0;
-    for (const std::size_t count : {50U, 100U, 200U}) {
-      sum += energy_from(choose(mesh, GraphKind::vertex, init, count, threads), threads);
-      of_farthest +=
-          energy_from(choose(mesh, GraphKind::vertex, SeedInit::farthest, count, threads), threads);
+    for (const std::size_t count : counts) {
+      const auto energy = [&](SeedInit way) {
+        return energy_from(choose(mesh, GraphKind::vertex, way, count, threads), threads) *
+               static_cast<double>(count);
+      };
+      sum += energy(init);
+      of_farthest += energy(SeedInit::farthest);
     }
-    EXPECT_LT(sum, of_farthest) << int(init);
+    return sum / of_farthest;
+  };
+  EXPECT_LT(ratio(SeedInit::coarse, {20, 50, 100}), 1);
+  EXPECT_LT(ratio(SeedInit::surface, {200, 400, 800}), 1);
+  EXPECT_LT(ratio(SeedInit::automatic, {20, 100, 400, 800}), 0.99);
+}
+
+TEST(FirstSeeds, AreChosenInTheWayThatSuitsTheNumbers) {
+  EXPECT_EQ(suited_init(700'000, 1), SeedInit::coarse);
+  EXPECT_EQ(suited_init(700'000, 128), SeedInit::coarse);
+  EXPECT_EQ(suited_init(700'000, 129), SeedInit::surface);
+  EXPECT_EQ(suited_init(10'000, 100), SeedInit::surface);
+  EXPECT_EQ(suited_init(10'000, 4'000), SeedInit::farthest);
+  EXPECT_EQ(suited_init(1, 1), SeedInit::farthest);
+  Threads threads(2);
+  const Mesh mesh = creature(2000, 1);
+  for (const std::size_t count : {3U, 100U, 500U}) {
+    const auto chosen = choose(mesh, GraphKind::vertex, SeedInit::automatic, count, threads);
+    const SeedInit suited = suited_init(chosen.made.graph.node_count(), count);
+    EXPECT_EQ(chosen.seeds, choose(mesh, GraphKind::vertex, suited, count, threads).seeds);
   }
 }
 

@@ -55,7 +55,9 @@ void add_seed_options(CLI::App& command, SeedArguments& seeds) {
 }
 
 void add_init_options(CLI::App& command, SeedArguments& seeds) {
-  add_choice(command, "--init", seeds.init, seed_init_names, "How to choose the first seeds")
+  add_choice(command, "--init", seeds.init, seed_init_names,
+             "How to choose the first seeds. auto: coarse for few, surface for many,\n"
+             "farthest for many on few nodes")
       ->group(seed_group);
   whole_number(command.add_option("--random-seed", seeds.random_seed,
                                   "Number that varies the choice of first seeds"),
@@ -111,7 +113,8 @@ void add_metric_options(CLI::App& command, GraphArguments& graph) {
 void add_relaxation_options(CLI::App& command, RelaxationArguments& relaxation) {
   add_choice(command, "--greedy", relaxation.greedy, greedy_choice_names,
              "Greedy phase before the precise phase: off, or its heuristic for\n"
-             "neighbours. auto: off from farthest-point seeds, else extended")
+             "neighbours. auto: extended from random and kmeans++ seeds and from\n"
+             "files, else off")
       ->group(relaxation_group);
   command
       .add_flag("--no-microstep-skip", relaxation.no_microstep_skip,

@@ -20,7 +20,7 @@ namespace geolloyd {
 struct SeedArguments {
   std::size_t count = 0;  ///< 0: not given
   std::filesystem::path file;
-  SeedInit init = SeedInit::farthest;
+  SeedInit init = SeedInit::automatic;
   std::uint64_t random_seed = 1;
 };
 

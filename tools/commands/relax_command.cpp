@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
@@ -52,6 +53,14 @@ void print_regions(const Result& result) {
       result.remesh.roundness.min);
 }
 
+std::string describe(const SeedArguments& seeds, const Graph& graph, std::size_t count) {
+  if (!seeds.file.empty()) return seeds.file.string();
+  const std::string name = name_of(seed_init_names, seeds.init);
+  if (seeds.init != SeedInit::automatic) return name;
+  const SeedInit suited = suited_init(graph.node_count(), count);
+  return fmt::format("{} ({})", name, name_of(seed_init_names, suited));
+}
+
 void print_start(const RelaxArguments& arguments, const Start& start) {
   const Graph& graph = start.mesh_graph.graph;
   const SeedArguments& seeds = arguments.start.seeds;
@@ -62,7 +71,7 @@ void print_start(const RelaxArguments& arguments, const Start& start) {
              counted(graph.arc_count(), "arc", "arcs"),
              counted(start.components, "component", "components"));
   fmt::print("  {:<12}{} from {}\n", "seeds", grouped(start.seeds.size()),
-             seeds.file.empty() ? name_of(seed_init_names, seeds.init) : seeds.file.string());
+             describe(seeds, graph, start.seeds.size()));
 }
 
 void print_relaxation(const Result& result, double hexagonal) {

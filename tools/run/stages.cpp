@@ -46,9 +46,11 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
-  size.has_coarse_graph = purpose.init == SeedInit::coarse;
+  const SeedInit init =
+      purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
+  size.has_coarse_graph = init == SeedInit::coarse;
   // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
-  if (purpose.init == SeedInit::surface) size.fine_vertices = size.vertices + 10 * size.seeds;
+  if (init == SeedInit::surface) size.fine_vertices = size.vertices + 10 * size.seeds;
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
   }

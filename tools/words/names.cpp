@@ -50,9 +50,13 @@ const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names = {
 };
 
 const std::vector<Named<SeedInit>> seed_init_names = {
-    {"farthest", SeedInit::farthest},       {"kmeans++", SeedInit::kmeans_plus_plus},
-    {"random-area", SeedInit::random_area}, {"random", SeedInit::random},
-    {"surface", SeedInit::surface},         {"coarse", SeedInit::coarse},
+    {"auto", SeedInit::automatic},
+    {"farthest", SeedInit::farthest},
+    {"kmeans++", SeedInit::kmeans_plus_plus},
+    {"random-area", SeedInit::random_area},
+    {"random", SeedInit::random},
+    {"surface", SeedInit::surface},
+    {"coarse", SeedInit::coarse},
 };
 
 const std::vector<Named<StopReason>> stop_reason_names = {

@@ -51,7 +51,8 @@ enum class SeedInit {
   kmeans_plus_plus,  ///< with chances by mass * distance^2 to those before (Arthur, Vassilvitskii
                      ///< 2007)
   surface,           ///< near sites that have come to rest on the surface, as those of a remesh do
-  coarse,            ///< where seeds come to rest on a coarser graph of the same metric
+  coarse,            ///< where seeds come to rest on coarser graphs of the same metric
+  automatic,         ///< surface, coarse or farthest, by the numbers of seeds and of nodes
 };
 
 /// The greedy phase: left out, or with the standard or the extended heuristic (thesis; formulas in
@@ -63,8 +64,8 @@ enum class GreedyMode { off, standard, extended };
 /// takes time and raises the energy more often than it lowers it; from the other seeds it nearly
 /// always lowers it (bench/README.md, "When the greedy phase pays").
 constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
-  const bool is_even =
-      init == SeedInit::farthest || init == SeedInit::surface || init == SeedInit::coarse;
+  const bool is_even = init == SeedInit::farthest || init == SeedInit::surface ||
+                       init == SeedInit::coarse || init == SeedInit::automatic;
   return is_even ? GreedyMode::off : GreedyMode::extended;
 }
 

@@ -16,7 +16,7 @@ namespace geolloyd {
 struct TessellateOptions {
   std::size_t seed_count = 0;  ///< number of regions, at least 1; unless first seeds are given
   std::vector<InputId> first_seeds;  ///< different; each component of the mesh has one
-  SeedInit init = SeedInit::farthest;
+  SeedInit init = SeedInit::automatic;
   std::uint64_t random_seed = 1;
 
   GraphKind graph = GraphKind::vertex;
