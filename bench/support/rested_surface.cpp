@@ -45,7 +45,7 @@ RestedSurface rest_on_surface(const Mesh& mesh, const MeshEdges& edges, std::siz
   const MakeSurfaceEngine make_engine = make_reference_surface_engine;
   const double area = surface_fineness(mesh, edges, sites).area;
   RestedSurface rested{
-      make_surface_start(mesh, edges.duplicates, area, sites, {}, make_engine), {}, 0};
+      make_surface_start(mesh, edges.duplicates, area, sites, {}, {}, make_engine), {}, 0};
   rested.spacings = spacings_of_levels(SiteBudgeter(rested.surface()), sites);
   const SurfaceRemeshOptions options;
   SiteRelaxer relaxer(make_engine, options, rested.input().fine.whole_area,

@@ -22,14 +22,16 @@ void validate(const Mesh& mesh, const TessellateOptions& options) {
 }
 
 std::vector<NodeId> find_first_seeds(const Mesh& mesh, const MeshEdges& edges,
-                                     const MeshGraph& mesh_graph, const TessellateOptions& options,
-                                     Runtime& runtime) {
+                                     const MeshGraph& mesh_graph,
+                                     std::span<const TangentSpace> field,
+                                     const TessellateOptions& options, Runtime& runtime) {
   const Components components = connected_components(mesh_graph.graph);
   if (!options.first_seeds.empty()) {
     return nodes_of_seeds(mesh_graph, components, options.first_seeds);
   }
   return choose_first_seeds(mesh, edges.duplicates, mesh_graph, components,
-                            {options.init, options.seed_count, options.random_seed}, runtime);
+                            {options.init, options.seed_count, options.random_seed, field},
+                            runtime);
 }
 
 RelaxationOptions relaxation_options(const TessellateOptions& options) {
@@ -54,9 +56,10 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runt
   result.mesh_graph = make_mesh_graph(
       mesh, edges, {options.graph, options.norm, field, options.averaging}, runtime.executor());
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
-  result.relaxation = relax(result.mesh_graph.graph, *engine,
-                            find_first_seeds(mesh, edges, result.mesh_graph, options, runtime),
-                            relaxation_options(options), options.progress);
+  result.relaxation =
+      relax(result.mesh_graph.graph, *engine,
+            find_first_seeds(mesh, edges, result.mesh_graph, field, options, runtime),
+            relaxation_options(options), options.progress);
   return describe(std::move(result));
 }
 

@@ -15,16 +15,17 @@ namespace {
 // From where seeds go on with a graph, sites need not have come to rest.
 constexpr RestEffort start_effort = {600'000, 12, 50, false};
 
-// Fewer sites than a closed surface has at least, or none at all where there is no area.
+// Fewer sites than a closed surface has at least, or none at all where there is no area, or a field
+// that sites cannot follow.
 std::vector<NodeId> seeds_on_surface(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                     const MeshGraph& mesh_graph, std::size_t count,
+                                     const MeshGraph& mesh_graph, const FirstSeedOptions& options,
                                      Runtime& runtime) {
   constexpr std::size_t fewest_sites = 4;
   double area = 0;
   for (const double a : triangle_areas(mesh, duplicates, runtime.executor())) area += a;
-  if (count < fewest_sites || !(area > 0)) return {};
+  if (options.count < fewest_sites || !(area > 0) || !can_spread(options.field)) return {};
   const SurfaceStart start = make_surface_start(
-      mesh, duplicates, area, count, start_effort,
+      mesh, duplicates, area, options.count, options.field, start_effort,
       [&](const FineMesh& fine) { return runtime.make_surface_engine(fine); }, runtime.executor());
   const LabelledSites& state = start.resting.state;
   std::vector<SeedPlace> places;
@@ -49,13 +50,13 @@ std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const Triangl
                                        const MeshGraph& mesh_graph, const Components& components,
                                        const FirstSeedOptions& options, Runtime& runtime) {
   const Graph& graph = mesh_graph.graph;
-  const auto [asked, count, random_seed] = options;
+  const auto [asked, count, random_seed, field] = options;
   check_seed_count(graph, components, count);
   const SeedInit init =
       asked == SeedInit::automatic ? suited_init(graph.node_count(), count) : asked;
   if (init == SeedInit::surface) {
     return complete_seeds(graph, components,
-                          seeds_on_surface(mesh, duplicates, mesh_graph, count, runtime), count,
+                          seeds_on_surface(mesh, duplicates, mesh_graph, options, runtime), count,
                           random_seed, *runtime.make_growing_search(graph));
   }
   if (init == SeedInit::coarse && has_coarse_start(graph.node_count(), count)) {

@@ -18,6 +18,7 @@ struct FirstSeedOptions {
   SeedInit init = SeedInit::automatic;
   std::size_t count = 0;
   std::uint64_t random_seed = 1;
+  std::span<const TangentSpace> field = {};  ///< that the graph was made with: `surface` follows it
 };
 
 /// What `automatic` stands for: `coarse` for few seeds, where the graph is fine enough for it;

@@ -9,6 +9,7 @@
 #include "core/surface/site_levels.h"
 #include "core/surface/surface_engine.h"
 #include "core/surface/surface_input.h"
+#include "geolloyd/choices.h"
 
 namespace geolloyd {
 
@@ -27,10 +28,15 @@ struct SurfaceStart {
 SurfaceInputOptions surface_options(const Mesh& mesh, std::span<const TriangleId> duplicates,
                                     double area, std::size_t sites);
 
-/// The mesh has an area. There are `sites` of them, or the least that its parts need.
+/// Whether sites can follow this field: its magnitudes are above 0, none is over 100 times the
+/// other of its vertex, and their products differ by no more than the square of 1e6.
+bool can_spread(std::span<const TangentSpace> field);
+
+/// The mesh has an area. There are `sites` of them, or the least that its parts need. They are
+/// spread by the metric of `field`, if there is one, which they can follow.
 SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                double area, std::size_t sites, const RestEffort& effort,
-                                const MakeSurfaceEngine& make_engine,
+                                double area, std::size_t sites, std::span<const TangentSpace> field,
+                                const RestEffort& effort, const MakeSurfaceEngine& make_engine,
                                 Executor& executor = sequential());
 
 }  // namespace geolloyd

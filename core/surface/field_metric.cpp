@@ -1,5 +1,6 @@
 #include "core/surface/field_metric.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -19,32 +20,44 @@ bool has_stretch(const TangentSpace& space) {
   return k1 > 0 && k2 > 0 && k1 <= most_stretch * k2 && k2 <= most_stretch * k1;
 }
 
-void check_stretch(const TangentSpace& space, std::size_t v) {
-  if (has_stretch(space)) return;
+// With its principal directions, where there is a plane for them.
+TangentSpace principal(const TangentSpace& space) {
+  return has_plane(space) ? metric_mean({&space, 1}) : space;
+}
+
+bool can_shape(const TangentSpace& space) {
+  return has_stretch(space) && has_stretch(principal(space));
+}
+
+void check_shape(const TangentSpace& space, std::size_t v) {
+  if (can_shape(space)) return;
+  const TangentSpace found = has_stretch(space) ? principal(space) : space;
   std::ostringstream message;
-  message << "field: vertex " << v << " has the principal magnitudes " << space.tangent_magnitude
-          << " and " << space.bitangent_magnitude
+  message << "field: vertex " << v << " has the principal magnitudes " << found.tangent_magnitude
+          << " and " << found.bitangent_magnitude
           << ": for a remesh both are above 0, and one at most 100 times the other";
   throw InvalidInput(message.str());
 }
 
 Metric shape_of(const TangentSpace& space) {
   if (!has_plane(space)) return {};
-  const TangentSpace principal = metric_mean({&space, 1});
-  const double stretch = principal.tangent_magnitude / principal.bitangent_magnitude;
-  return stretch * Metric::square_of(principal.tangent) +
-         1 / stretch * Metric::square_of(principal.bitangent) +
-         Metric::square_of(cross(principal.tangent, principal.bitangent));
+  const auto [t, b, k1, k2] = principal(space);
+  return k1 / k2 * Metric::square_of(t) + k2 / k1 * Metric::square_of(b) +
+         Metric::square_of(cross(t, b));
 }
 
 }  // namespace
+
+bool can_shape(std::span<const TangentSpace> field) {
+  return std::all_of(field.begin(), field.end(),
+                     [](const TangentSpace& space) { return can_shape(space); });
+}
 
 std::vector<Metric> shapes_of(std::span<const TangentSpace> field) {
   std::vector<Metric> shapes;
   shapes.reserve(field.size());
   for (std::size_t v = 0; v < field.size(); ++v) {
-    check_stretch(field[v], v);
-    if (has_plane(field[v])) check_stretch(metric_mean({&field[v], 1}), v);
+    check_shape(field[v], v);
     shapes.push_back(shape_of(field[v]));
   }
   return shapes;

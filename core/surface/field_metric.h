@@ -13,9 +13,12 @@ namespace geolloyd {
 // The metric of a tangent field is what cells are shaped by, times the square of what they are
 // sized by. With the principal directions t and b and the magnitudes k1 and k2:
 
+/// Whether cells can follow it: no magnitude is 0, or more than 100 times the other.
+bool can_shape(std::span<const TangentSpace> field);
+
 /// k1/k2 t t^T + k2/k1 b b^T + n n^T. Across the surface lengths count as in the mean of
 /// directions: where they count too little, sites leave the surface. A space whose directions span
-/// no plane is round. Throws InvalidInput where a magnitude is 0, or more than 100 times the other.
+/// no plane is round. Throws InvalidInput where can_shape() is false.
 std::vector<Metric> shapes_of(std::span<const TangentSpace> field);
 
 /// 1 / sqrt(k1 k2): so long are edges of length 1 in the metric, in the mean of directions.

@@ -23,13 +23,13 @@ struct Chosen {
   std::vector<NodeId> seeds;
 };
 
-Chosen choose(const Mesh& mesh, GraphKind kind, SeedInit init, std::size_t count,
-              Runtime& runtime) {
+Chosen choose(const Mesh& mesh, GraphKind kind, SeedInit init, std::size_t count, Runtime& runtime,
+              const std::vector<TangentSpace>& field = {}) {
   const MeshEdges edges = find_edges(mesh);
-  Chosen chosen{make_mesh_graph(mesh, edges, {kind, {}, {}}), {}};
+  Chosen chosen{make_mesh_graph(mesh, edges, {kind, {}, field}), {}};
   chosen.seeds =
       choose_first_seeds(mesh, edges.duplicates, chosen.made,
-                         connected_components(chosen.made.graph), {init, count, 1}, runtime);
+                         connected_components(chosen.made.graph), {init, count, 1, field}, runtime);
   return chosen;
 }
 
@@ -94,6 +94,39 @@ TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {
   EXPECT_LT(ratio(SeedInit::coarse, {20, 50, 100}), 1);
   EXPECT_LT(ratio(SeedInit::surface, {200, 400, 800}), 1);
   EXPECT_LT(ratio(SeedInit::automatic, {20, 100, 400, 800}), 0.99);
+}
+
+// Around the axis of a torus lengths count more than across.
+std::vector<TangentSpace> ring_field(const Mesh& mesh, double around, double across) {
+  std::vector<TangentSpace> field;
+  for (const Vec3& p : mesh.positions) {
+    const Vec3 outward = normalized(Vec3(p.x(), p.y(), 0));
+    const Vec3 ring = cross(Vec3::UnitZ(), outward);
+    field.push_back({ring, cross(normalized(p - outward), ring), around, across});
+  }
+  return field;
+}
+
+TEST(FirstSeeds, FollowAField) {
+  Threads threads(2);
+  const Mesh mesh = torus(20'000, 1);
+  for (const std::vector<TangentSpace>& field :
+       {ring_field(mesh, 3, 1), ring_field(mesh, 1, 4), ring_field(mesh, 30, 10)}) {
+    const auto energy = [&](SeedInit init) {
+      return energy_from(choose(mesh, GraphKind::vertex, init, 300, threads, field), threads);
+    };
+    EXPECT_LT(energy(SeedInit::surface), energy(SeedInit::farthest));
+  }
+}
+
+TEST(FirstSeeds, AreFarthestPointsWhereSitesCannotFollowAField) {
+  Threads threads(2);
+  const Mesh mesh = torus(2000, 1);
+  for (const std::vector<TangentSpace>& field :
+       {ring_field(mesh, 0, 1), ring_field(mesh, 1000, 1)}) {
+    EXPECT_EQ(choose(mesh, GraphKind::vertex, SeedInit::surface, 40, threads, field).seeds,
+              choose(mesh, GraphKind::vertex, SeedInit::farthest, 40, threads, field).seeds);
+  }
 }
 
 TEST(FirstSeeds, AreChosenInTheWayThatSuitsTheNumbers) {

@@ -54,7 +54,7 @@ std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
       FirstSeeds first{count, batch, {}};
       for (const NodeId s :
            choose_first_seeds(mesh, edges.duplicates, made, components,
-                              {how.init, count, how.random_seed + batch - 1}, runtime)) {
+                              {how.init, count, how.random_seed + batch - 1, {}}, runtime)) {
         first.places.push_back(made.input_id[s]);
       }
       all.push_back(std::move(first));

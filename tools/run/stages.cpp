@@ -50,7 +50,9 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
       purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
   size.has_coarse_graph = init == SeedInit::coarse;
   // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
-  if (init == SeedInit::surface) size.fine_vertices = size.vertices + 10 * size.seeds;
+  if (init == SeedInit::surface) {
+    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
+  }
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
   }
@@ -59,14 +61,16 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
 
 // `text` is that of the seeds file, if there is one.
 std::vector<NodeId> first_seeds(const SeedArguments& arguments, const std::string& text,
-                                const Start& start, std::span<const TriangleId> duplicates,
+                                const Start& start, std::span<const TangentSpace> field,
+                                std::span<const TriangleId> duplicates,
                                 const Components& components, Scheduler& scheduler) {
   if (!arguments.file.empty()) {
     return parse_seeds(text, arguments.file.string(), start.mesh_graph, components);
   }
   SchedulerRuntime runtime(scheduler);
   return choose_first_seeds(start.input.mesh(), duplicates, start.mesh_graph, components,
-                            {arguments.init, arguments.count, arguments.random_seed}, runtime);
+                            {arguments.init, arguments.count, arguments.random_seed, field},
+                            runtime);
 }
 
 }  // namespace
@@ -91,10 +95,11 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loade
   announce_memory(loaded.input.file.string(), built.memory_estimate);
   const Stopwatch watch;
   const Mesh& mesh = loaded.input.mesh();
-  const MeshGraphOptions options{arguments.kind, arguments.norm,
-                                 find_field(arguments, mesh, loaded.edges, scheduler),
-                                 arguments.averaging};
+  MeshGraphOptions options{arguments.kind, arguments.norm,
+                           find_field(arguments, mesh, loaded.edges, scheduler),
+                           arguments.averaging};
   built.mesh_graph = make_mesh_graph(mesh, loaded.edges, options, scheduler);
+  built.field = std::move(options.vertex_space);
   built.seconds = watch.seconds();
   return built;
 }
@@ -105,6 +110,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   Start start;
   std::string seeds_text;
   std::vector<TriangleId> duplicates;
+  std::vector<TangentSpace> field;
   progress.stage("reading " + arguments.mesh.string());
   {
     LoadedInput loaded =
@@ -117,6 +123,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
                     seeds.file.empty() ? seeds.count : most_seeds(seeds_text), purpose, scheduler);
     start.input = std::move(loaded.input);
     start.mesh_graph = std::move(built.mesh_graph);
+    field = std::move(built.field);
     duplicates = std::move(loaded.edges.duplicates);
     start.memory_estimate = built.memory_estimate;
     start.seconds.load = loaded.seconds;
@@ -126,7 +133,8 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   const Stopwatch watch;
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
-  start.seeds = first_seeds(arguments.seeds, seeds_text, start, duplicates, components, scheduler);
+  start.seeds =
+      first_seeds(arguments.seeds, seeds_text, start, field, duplicates, components, scheduler);
   start.seconds.seeds = watch.seconds();
   return start;
 }

@@ -35,6 +35,7 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 /// A graph of a mesh.
 struct BuiltGraph {
   MeshGraph mesh_graph;
+  std::vector<TangentSpace> field;    ///< that it was made with; empty: none
   std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
   double seconds = 0;                 ///< to build it
 };
