@@ -81,8 +81,8 @@ struct PlaneTurn {
 
 // What a node sees of a neighbour: the sum of the ways there.
 struct CrossLink {
-  std::uint32_t to;
-  double weight;
+  std::uint32_t to = no_id;
+  double weight = 0;
   PlaneTurn passage;  // times the weight
 };
 

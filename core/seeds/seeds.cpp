@@ -207,7 +207,7 @@ void spread_among(const Graph& graph, std::span<const NodeId> nodes, std::size_t
   std::size_t taken = 0;
   for (std::size_t i = 0; i < nodes.size() && taken < count; ++i) {
     up_to += graph.mass[nodes[i]];
-    const bool is_due = 2 * count * up_to >= (2 * taken + 1) * whole;
+    const bool is_due = Uint128{2} * count * up_to >= (Uint128{2} * taken + 1) * whole;
     if (!is_due && nodes.size() - i > count - taken) continue;
     places.push_back(nodes[i]);
     ++taken;

@@ -55,7 +55,7 @@ void print_regions(const Result& result) {
 
 std::string describe(const SeedArguments& seeds, const Graph& graph, std::size_t count) {
   if (!seeds.file.empty()) return seeds.file.string();
-  const std::string name = name_of(seed_init_names, seeds.init);
+  std::string name = name_of(seed_init_names, seeds.init);
   if (seeds.init != SeedInit::automatic) return name;
   const SeedInit suited = suited_init(graph.node_count(), count);
   return fmt::format("{} ({})", name, name_of(seed_init_names, suited));
