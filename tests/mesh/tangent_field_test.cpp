@@ -85,13 +85,13 @@ class TangentFieldFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-constexpr const char* columns = "k1\t k2\t k1v_x\t k1v_y\t k1v_z\t k2v_x\t k2v_y\t k2v_z\n";
+constexpr const char* column_names = "k1\t k2\t k1v_x\t k1v_y\t k1v_z\t k2v_x\t k2v_y\t k2v_z\n";
 
 TEST_F(TangentFieldFile, IsReadWithAndWithoutHeaderLines) {
   const std::string rows = "3 1 0 2 0 0 0 1\r\n-2 1 1 0 0 0 1 0\n";
   for (const std::string header :
        {"", "# Thresholds used: tk_thresh = , a_thresh = \ntarget frame \n2\n"}) {
-    const auto spaces = read(header + columns + rows, 2);
+    const auto spaces = read(header + column_names + rows, 2);
     ASSERT_EQ(spaces.size(), 2U);
     EXPECT_EQ(spaces[0].tangent, Vec3(0, 1, 0));  // the magnitude is k1's alone
     EXPECT_EQ(spaces[0].bitangent, Vec3(0, 0, 1));
@@ -104,13 +104,13 @@ TEST_F(TangentFieldFile, IsRefusedWithTheLineWhereItIsWrong) {
   const std::string row = "3 1 0 2 0 0 0 1\n";
   expect_refused("", 1, "no line of column names");
   expect_refused(row, 1, "no line of column names");
-  expect_refused(columns + row, 2, "ends after 1 vertices, but the mesh has 2");
-  expect_refused(columns + row + row, 1, "line 3: more lines than the mesh has vertices");
-  expect_refused(columns + row + "3 1 0 2 0 0 0\n", 2, "line 3");
-  expect_refused(columns + row + "3 1 0 2 0 0 0 1 9\n", 2, "line 3: more than the eight");
-  expect_refused(columns + row + "3 1 x 2 0 0 0 1\n", 2, "line 3");
-  expect_refused(columns + std::string("3 1 nan 2 0 0 0 1\n"), 1, "line 2: k1v_x");
-  expect_refused(columns + std::string("1e300 1 0 2 0 0 0 1\n"), 1, "line 2: k1");
+  expect_refused(column_names + row, 2, "ends after 1 vertices, but the mesh has 2");
+  expect_refused(column_names + row + row, 1, "line 3: more lines than the mesh has vertices");
+  expect_refused(column_names + row + "3 1 0 2 0 0 0\n", 2, "line 3");
+  expect_refused(column_names + row + "3 1 0 2 0 0 0 1 9\n", 2, "line 3: more than the eight");
+  expect_refused(column_names + row + "3 1 x 2 0 0 0 1\n", 2, "line 3");
+  expect_refused(column_names + std::string("3 1 nan 2 0 0 0 1\n"), 1, "line 2: k1v_x");
+  expect_refused(column_names + std::string("1e300 1 0 2 0 0 0 1\n"), 1, "line 2: k1");
 }
 
 }  // namespace
