@@ -47,8 +47,8 @@ class CellEnergies {
     return cells_.metric.empty() ? Vec3((site - unit_.centroid(cells_.moments[r])) * (2 * area(r)))
                                  : unit_.gradient(cells_.moments[r], cells_.metric[r], site);
   }
-  /// By which a site would reach the minimum, if the gradient were this one and the cell stayed as
-  /// it is; none where the cell has no area.
+  /// The move that takes a site with this gradient to the minimum, if the cell stays as it is; none
+  /// where the cell has no area.
   [[nodiscard]] Vec3 newton_step(std::size_t r, const Vec3& gradient) const {
     if (!(area(r) > 0)) return Vec3::Zero();
     return cells_.metric.empty() ? Vec3(gradient * (-1 / (2 * area(r))))

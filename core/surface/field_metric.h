@@ -10,8 +10,8 @@
 
 namespace geolloyd {
 
-// The metric of a tangent field is what cells are shaped by, times the square of what they are
-// sized by. With the principal directions t and b and the magnitudes k1 and k2:
+// The metric of a tangent field is the shape of cells over the square of their size. With the
+// principal directions t and b and the magnitudes k1 and k2:
 
 /// Whether cells can follow it: no magnitude is 0, or more than 100 times the other.
 bool can_shape(std::span<const TangentSpace> field);
@@ -24,7 +24,8 @@ std::vector<Metric> shapes_of(std::span<const TangentSpace> field);
 /// 1 / sqrt(k1 k2): so long are edges of length 1 in the metric, in the mean of directions.
 std::vector<double> lengths_of(std::span<const TangentSpace> field);
 
-/// Of a vertex's shape per vertex of the mesh: at points of it. None of none.
+/// Shapes at points of the mesh, interpolated between those of its vertices; none where there are
+/// none.
 std::vector<Metric> shapes_at(const Mesh& mesh, std::span<const Metric> shape,
                               std::span<const SurfacePoint> places);
 

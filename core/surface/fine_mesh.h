@@ -50,7 +50,7 @@ struct FineMesh {
   [[nodiscard]] double resolution_at(VertexId v) const {
     return resolution.empty() ? 1 : resolution[v];
   }
-  /// Across the narrowest way through a cell there.
+  /// The resolution in the direction in which a cell there is narrowest.
   [[nodiscard]] double finest_at(VertexId v) const {
     return metric.empty() ? resolution_at(v) : resolution_at(v) * metric[v].largest_stretch();
   }
@@ -64,7 +64,7 @@ struct FineMesh {
     const auto& [a, b, c] = triangles[t];
     return (1.0 / 3) * (metric[a] + metric[b] + metric[c]);
   }
-  /// How many spacings an edge counts for in a unit frame with the spacing 1.
+  /// An edge's length in the metric, times the resolution: in spacings, if the spacing is 1.
   [[nodiscard]] double sized_length(VertexId a, VertexId b) const {
     return length_between(a, b, positions[b] - positions[a]) *
            ((resolution_at(a) + resolution_at(b)) / 2);

@@ -322,13 +322,9 @@ TEST(SurfaceStages, PlaceSitesAlike) {
   });
 }
 
-// A tangent field, by the reference alone and by the incremental engine on all threads.
-TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
-  const Mesh mesh = torus(1000, 1);
-  const MeshEdges edges = find_edges(mesh);
-  SurfaceRemeshOptions options;
-  options.vertex_count = 60;
-  options.field = curvature_field(mesh, edges);
+// By the reference alone, and by the incremental engine on all threads.
+void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges,
+                        const SurfaceRemeshOptions& options) {
   const SurfaceRemesh expected =
       make_surface_remesh(mesh, edges, options, make_reference_surface_engine);
   EXPECT_TRUE(expected.has_input_topology());
@@ -339,27 +335,25 @@ TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
     const SurfaceRemesh remesh = make_surface_remesh(mesh, edges, options, make_engine, scheduler);
     EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
     EXPECT_TRUE(same_bytes(remesh.mesh.positions, expected.mesh.positions));
+    EXPECT_TRUE(same_bytes(remesh.edge_lengths, expected.edge_lengths));
   });
 }
 
-// Sizes that vary, by the reference alone and by the incremental engine on all threads.
+TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
+  const Mesh mesh = torus(1000, 1);
+  const MeshEdges edges = find_edges(mesh);
+  SurfaceRemeshOptions options;
+  options.vertex_count = 60;
+  options.field = curvature_field(mesh, edges);
+  expect_same_remesh(mesh, edges, options);
+}
+
 TEST(SurfaceStages, MakeTheSameAdaptedRemesh) {
   const Mesh mesh = creature(6000, 1);
-  const MeshEdges edges = find_edges(mesh);
   SurfaceRemeshOptions options;
   options.vertex_count = 300;
   options.sizing.adapt = 1;
-  const SurfaceRemesh expected =
-      make_surface_remesh(mesh, edges, options, make_reference_surface_engine);
-  EXPECT_TRUE(expected.has_input_topology());
-  for_schedulers([&](Scheduler& scheduler) {
-    const auto make_engine = [&](const FineMesh& fine) {
-      return make_parallel_surface_engine(fine, scheduler);
-    };
-    const SurfaceRemesh remesh = make_surface_remesh(mesh, edges, options, make_engine, scheduler);
-    EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
-    EXPECT_TRUE(same_bytes(remesh.edge_lengths, expected.edge_lengths));
-  });
+  expect_same_remesh(mesh, find_edges(mesh), options);
 }
 
 }  // namespace
