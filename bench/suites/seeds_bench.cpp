@@ -7,7 +7,7 @@
 #include "bench/support/run.h"
 #include "core/seeds/seeds.h"
 #include "core/voronoi/dijkstra.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 
 namespace geolloyd {
 namespace {
@@ -16,9 +16,9 @@ constexpr std::pair<const char*, SeedInit> inits[] = {{"farthest", SeedInit::far
                                                       {"kmeans++", SeedInit::kmeans_plus_plus}};
 constexpr std::uint64_t random_seed = 1;
 
-std::vector<NodeId> choose(Run& run, SeedInit init, GrowingSearch& search) {
+std::vector<NodeId> choose(Run& run, SeedInit init, Runtime& runtime) {
   Inputs& in = run.inputs();
-  return choose_seeds(in.graph(), in.components(), init, run.seeds(), random_seed, search);
+  return choose_seeds(in.graph(), in.components(), init, run.seeds(), random_seed, runtime);
 }
 
 // Different nodes that reach all others.
@@ -40,7 +40,7 @@ void rate_seeds(Run& run) {
 void choose_sequentially(Run& run, SeedInit init) {
   const Graph& graph = run.inputs().graph();
   run.inputs().components();
-  const auto work = [&] { return choose(run, init, *make_growing_search(graph)); };
+  const auto work = [&] { return choose(run, init, reference_runtime()); };
   run.verify("not seeds", [&] {
     const std::vector<NodeId> seeds = work();
     return seeds.size() == run.seeds() && are_seeds(graph, seeds);
@@ -53,11 +53,10 @@ void choose_in_parallel(Run& run, SeedInit init) {
   const Graph& graph = run.inputs().graph();
   run.inputs().components();
   Scheduler scheduler(run.threads());
-  const auto work = [&] {
-    return choose(run, init, *make_parallel_growing_search(scheduler, graph));
-  };
+  SchedulerRuntime runtime(scheduler);
+  const auto work = [&] { return choose(run, init, runtime); };
   run.verify("not the seeds of the calling thread",
-             [&] { return work() == choose(run, init, *make_growing_search(graph)); });
+             [&] { return work() == choose(run, init, reference_runtime()); });
   run.measure(work);
   rate_seeds(run);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 
 namespace geolloyd {
@@ -15,7 +16,7 @@ namespace geolloyd {
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size, const Executor& executor = sequential())
-      : is_shared_(executor.threads() > 1), parent_(size) {
+      : is_shared_(executor.threads() > 1), parent_(huge_vector<std::uint32_t>(size)) {
     for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
 

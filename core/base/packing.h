@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 
 namespace geolloyd {
@@ -55,7 +56,7 @@ template <class Predicate>
 std::vector<std::uint32_t> pack_indices(Executor& executor, std::size_t items, Predicate&& holds) {
   const Packing packing(executor, items,
                         [&](std::size_t i) { return holds(i) ? std::uint64_t{1} : 0; });
-  std::vector<std::uint32_t> found(packing.total());
+  auto found = huge_vector<std::uint32_t>(packing.total());
   packing.for_each(executor, [&](std::size_t i, std::uint64_t first) {
     found[first] = static_cast<std::uint32_t>(i);
   });

@@ -7,7 +7,7 @@ namespace geolloyd {
 Components connected_components(const Graph& graph) {
   constexpr std::size_t while_ahead = 12;
   Components result;
-  result.component_of.assign(graph.node_count(), no_id);
+  result.component_of = huge_vector<std::uint32_t>(graph.node_count(), no_id);
   result.first_in.assign(1, 0);
   // Every neighbour is written behind those reached so far, and counts if it is new: a branch would
   // be guessed wrong once per node.
@@ -32,7 +32,7 @@ Components connected_components(const Graph& graph) {
   }
 
   std::vector<NodeId> next(result.first_in.begin(), result.first_in.end() - 1);
-  result.node.resize(graph.node_count());
+  result.node = huge_vector<NodeId>(graph.node_count());
   for (NodeId v = 0; v < graph.node_count(); ++v) {
     result.node[next[result.component_of[v]]++] = v;
   }

@@ -58,10 +58,10 @@ Graph make_graph(std::span<const UndirectedArc> arcs, std::size_t nodes,
       [&] {
         mass = masses();
         graph.tick_mass = choose_tick_mass(mass);
-        graph.mass.resize(nodes);
+        graph.mass = huge_vector<std::uint32_t>(nodes);
       },
-      [&] { graph.target.resize(rows.first_arc.back()); },
-      [&] { graph.length.resize(rows.first_arc.back()); });
+      [&] { graph.target = huge_vector<NodeId>(rows.first_arc.back()); },
+      [&] { graph.length = huge_vector<std::uint32_t>(rows.first_arc.back()); });
   parallel_for(executor, nodes, small_items, [&](std::size_t v) {
     ArcId place = rows.first_arc[v];
     for (const PlacedArc arc : rows.row(static_cast<NodeId>(v))) {

@@ -21,7 +21,7 @@ MeshGraph start_mesh_graph(const Mesh& mesh, GraphKind kind) {
   if (ids >= no_id) {
     throw InvalidInput("the mesh has more vertices and triangles than 32-bit ids can count");
   }
-  result.node_of.assign(ids, no_id);
+  result.node_of = huge_vector<NodeId>(ids, no_id);
   return result;
 }
 
@@ -54,8 +54,11 @@ void number_nodes(const Mesh& mesh, MeshGraph& target, Executor& executor) {
   const std::vector<std::uint32_t> order = spatial_order(
       used.size(), [&](std::size_t i) { return position_of(mesh, target, used[i]); }, executor);
   parallel_invoke(
-      executor, [&] { target.input_id.resize(used.size()); },
-      [&] { target.position.resize(used.size()); });
+      executor, [&] { target.input_id = huge_vector<InputId>(used.size()); },
+      [&] {
+        reserve_huge(target.position, used.size());
+        target.position.resize(used.size());
+      });
   parallel_for(executor, used.size(), small_items, [&](std::size_t node) {
     const std::uint32_t id = used[order[node]];
     target.node_of[id] = static_cast<NodeId>(node);

@@ -43,7 +43,7 @@ struct Reached {
 
 SortedRows sort_rows(std::span<const UndirectedArc> arcs, std::size_t nodes, Executor& executor) {
   SortedRows rows{bucket_by_source(arcs, nodes, executor), {}};
-  rows.first_arc.assign(nodes + 1, 0);
+  rows.first_arc = huge_vector<ArcId>(nodes + 1);
   parallel_for(executor, nodes, small_items, [&](std::size_t v) {
     rows.first_arc[v] = sort_and_deduplicate(rows.placed[v], arcs);
   });

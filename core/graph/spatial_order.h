@@ -40,7 +40,7 @@ std::vector<std::uint32_t> spatial_order(const MortonGrid& grid, std::size_t cou
       executor, std::size_t{1} << coarse_bits, count, [&](std::size_t i, auto&& put) {
         put(codes[i] >> (63 - coarse_bits), Entry(codes[i], static_cast<std::uint32_t>(i)));
       });
-  std::vector<std::uint32_t> order(count);
+  auto order = huge_vector<std::uint32_t>(count);
   parallel_for(executor, cells.size(), small_items, [&](std::size_t c) {
     std::sort(cells[c].begin(), cells[c].end());
     for (const Entry& entry : cells[c]) {

@@ -73,7 +73,7 @@ std::vector<TriangleId> find_duplicates(Executor& executor, const Mesh& mesh,
 
 MeshEdges find_edges(const Mesh& mesh, Executor& executor) {
   Bucketed<std::uint64_t> groups = group_corners(executor, mesh);
-  std::vector<std::uint32_t> first_edge(groups.size());
+  auto first_edge = huge_vector<std::uint32_t>(groups.size());
   parallel_for(executor, groups.size(), small_items, [&](std::size_t v) {
     sort_entries(groups[v]);
     first_edge[v] = count_edges(groups[v]);
@@ -82,8 +82,9 @@ MeshEdges find_edges(const Mesh& mesh, Executor& executor) {
 
   MeshEdges edges;
   parallel_invoke(
-      executor, [&] { edges.ends.resize(count); }, [&] { edges.first_corner.resize(count + 1); },
-      [&] { edges.corner.resize(groups.entry.size()); });
+      executor, [&] { edges.ends = huge_vector<std::array<VertexId, 2>>(count); },
+      [&] { edges.first_corner = huge_vector<std::uint32_t>(count + 1); },
+      [&] { edges.corner = huge_vector<CornerId>(groups.entry.size()); });
   parallel_for(executor, groups.size(), small_items, [&](std::size_t low) {
     std::uint32_t edge = first_edge[low];
     VertexId previous = no_id;

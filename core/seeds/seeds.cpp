@@ -1,6 +1,8 @@
 #include "core/seeds/seeds.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <queue>
 #include <span>
 #include <string>
@@ -8,73 +10,21 @@
 
 #include "core/base/random.h"
 #include "core/base/weighted_sampler.h"
+#include "core/seeds/farthest_points.h"
 #include "core/voronoi/energy.h"
+#include "core/voronoi/growing_search.h"
 #include "core/voronoi/partition.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
 
-// Finds the farthest of some nodes, again and again while their keys become lower. Keeps the
-// farthest of each block of them, and looks through a block again only after one of it changed.
-class FarthestNode {
- public:
-  /// `place` holds one number per node of the graph and is used at `nodes`, which are ascending.
-  FarthestNode(std::span<const NodeId> nodes, const std::vector<Key>& keys,
-               std::vector<std::uint32_t>& place)
-      : nodes_(nodes),
-        keys_(keys),
-        place_(place),
-        farthest_((nodes.size() + block_size - 1) / block_size, no_id),
-        is_stale_(farthest_.size(), 1) {
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) place_[nodes[i]] = i;
-  }
-
-  void note_changed(std::span<const NodeId> changed) {
-    for (const NodeId v : changed) is_stale_[place_[v] / block_size] = 1;
-  }
-
-  /// The smallest of equals.
-  NodeId find() {
-    NodeId best = nodes_.front();
-    for (std::size_t b = 0; b < farthest_.size(); ++b) {
-      if (is_stale_[b] != 0) look_through(b);
-      if (is_farther(farthest_[b], best)) best = farthest_[b];
-    }
-    return best;
-  }
-
- private:
-  static constexpr std::size_t block_size = 1024;
-
-  [[nodiscard]] bool is_farther(NodeId a, NodeId b) const {
-    return distance_of(keys_[a]) > distance_of(keys_[b]);
-  }
-
-  void look_through(std::size_t block) {
-    const std::size_t begin = block * block_size;
-    const std::size_t end = std::min(begin + block_size, nodes_.size());
-    farthest_[block] = nodes_[begin];
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      if (is_farther(nodes_[i], farthest_[block])) farthest_[block] = nodes_[i];
-    }
-    is_stale_[block] = 0;
-  }
-
-  std::span<const NodeId> nodes_;
-  const std::vector<Key>& keys_;
-  std::vector<std::uint32_t>& place_;
-  std::vector<NodeId> farthest_;  // per block
-  std::vector<std::uint8_t> is_stale_;
-};
-
 class SeedChooser {
  public:
-  SeedChooser(const Graph& graph, std::uint64_t random_seed, GrowingSearch& search)
+  SeedChooser(const Graph& graph, std::uint64_t random_seed, Runtime& runtime)
       : graph_(graph),
         random_seed_(random_seed),
-        search_(search),
-        sampler_(graph.node_count()),
+        runtime_(runtime),
         is_chosen_(graph.node_count(), false) {}
 
   // The nodes with the smallest random numbers: any order of looking gives the same.
@@ -89,10 +39,11 @@ class SeedChooser {
   }
 
   void choose_by_area(std::span<const NodeId> nodes, std::size_t count) {
-    for (const NodeId v : nodes) sampler_.set(v, graph_.mass[v]);
-    for (; count > 0 && sampler_.total() > 0; --count) {
+    if (!sampler_) sampler_.emplace(graph_.node_count());
+    for (const NodeId v : nodes) sampler_->set(v, graph_.mass[v]);
+    for (; count > 0 && sampler_->total() > 0; --count) {
       choose(draw());
-      sampler_.set(chosen_.back(), 0);
+      sampler_->set(chosen_.back(), 0);
     }
     forget_weights(nodes);
     choose_random(nodes, count);
@@ -100,7 +51,8 @@ class SeedChooser {
 
   void choose_farthest(std::span<const NodeId> nodes, std::size_t count) {
     choose_random(nodes, 1);
-    choose_farthest_from({&chosen_.back(), 1}, nodes, count - 1);
+    const NodeId first = chosen_.back();
+    choose_farthest_from({&first, 1}, nodes, count - 1);
   }
 
   // `given`, no more than `count`, then the farthest from them.
@@ -111,11 +63,12 @@ class SeedChooser {
   }
 
   void choose_plus_plus(std::span<const NodeId> nodes, std::size_t count) {
+    if (!search_) search_ = runtime_.make_growing_search(graph_);
     choose_by_area(nodes, 1);
-    weigh(search_.add(chosen_.back()));
-    for (--count; count > 0 && sampler_.total() > 0; --count) {
+    weigh(search_->add(chosen_.back()));
+    for (--count; count > 0 && sampler_->total() > 0; --count) {
       choose(draw());
-      weigh(search_.add(chosen_.back()));
+      weigh(search_->add(chosen_.back()));
     }
     forget_weights(nodes);
     choose_random(nodes, count);
@@ -127,13 +80,8 @@ class SeedChooser {
   void choose_farthest_from(std::span<const NodeId> first, std::span<const NodeId> nodes,
                             std::size_t count) {
     if (count == 0) return;
-    for (const NodeId v : first) search_.add(v);
-    place_.resize(graph_.node_count());
-    FarthestNode farthest(nodes, search_.keys(), place_);
-    for (; count > 0; --count) {
-      choose(farthest.find());
-      farthest.note_changed(search_.add(chosen_.back()));
-    }
+    if (!farthest_) farthest_.emplace(graph_, runtime_.executor());
+    for (const NodeId v : farthest_->choose(nodes, first, count)) choose(v);
   }
 
   void choose(NodeId v) {
@@ -143,25 +91,26 @@ class SeedChooser {
 
   void weigh(std::span<const NodeId> nodes) {
     for (const NodeId v : nodes) {
-      sampler_.set(v, node_score(distance_of(search_.keys()[v]), graph_.mass[v]));
+      sampler_->set(v, node_score(distance_of(search_->keys()[v]), graph_.mass[v]));
     }
   }
 
   NodeId draw() {
-    const Uint128 place = random_below(random_seed_, draws_++, sampler_.total());
-    return static_cast<NodeId>(sampler_.at(place));
+    const Uint128 place = random_below(random_seed_, draws_++, sampler_->total());
+    return static_cast<NodeId>(sampler_->at(place));
   }
 
   void forget_weights(std::span<const NodeId> nodes) {
-    for (const NodeId v : nodes) sampler_.set(v, 0);
+    for (const NodeId v : nodes) sampler_->set(v, 0);
   }
 
   const Graph& graph_;
   std::uint64_t random_seed_;
   std::uint64_t draws_ = 0;
-  GrowingSearch& search_;
-  std::vector<std::uint32_t> place_;  // per node, within its component
-  WeightedSampler sampler_;           // per node; all weights 0 between components
+  Runtime& runtime_;
+  std::unique_ptr<GrowingSearch> search_;
+  std::optional<FarthestPoints> farthest_;
+  std::optional<WeightedSampler> sampler_;  // per node; all weights 0 between components
   std::vector<bool> is_chosen_;
   std::vector<NodeId> chosen_;
 };
@@ -231,16 +180,10 @@ void check_seed_count(const Graph& graph, const Components& components, std::siz
 }
 
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
-                                 std::size_t count, std::uint64_t random_seed) {
-  return choose_seeds(graph, components, init, count, random_seed, *make_growing_search(graph));
-}
-
-std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
-                                 std::size_t count, std::uint64_t random_seed,
-                                 GrowingSearch& search) {
+                                 std::size_t count, std::uint64_t random_seed, Runtime& runtime) {
   check_seed_count(graph, components, count);
   const std::vector<std::size_t> share = share_out(graph, components, count);
-  SeedChooser chooser(graph, random_seed, search);
+  SeedChooser chooser(graph, random_seed, runtime);
   for (std::size_t c = 0; c < components.size(); ++c) {
     const std::span<const NodeId> nodes = components.nodes(c);
     switch (init) {
@@ -268,7 +211,7 @@ std::vector<NodeId> choose_seeds(const Graph& graph, const Components& component
 
 std::vector<NodeId> complete_seeds(const Graph& graph, const Components& components,
                                    std::span<const NodeId> given, std::size_t count,
-                                   std::uint64_t random_seed, GrowingSearch& search) {
+                                   std::uint64_t random_seed, Runtime& runtime) {
   check_seed_count(graph, components, count);
   const std::vector<std::size_t> share = share_out(graph, components, count);
   std::vector<std::vector<NodeId>> kept(components.size());
@@ -276,7 +219,7 @@ std::vector<NodeId> complete_seeds(const Graph& graph, const Components& compone
     const std::uint32_t c = components.component_of[v];
     if (kept[c].size() < share[c]) kept[c].push_back(v);
   }
-  SeedChooser chooser(graph, random_seed, search);
+  SeedChooser chooser(graph, random_seed, runtime);
   for (std::size_t c = 0; c < components.size(); ++c) {
     chooser.complete(kept[c], components.nodes(c), share[c]);
   }

@@ -9,8 +9,8 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
-#include "core/voronoi/growing_search.h"
 #include "geolloyd/choices.h"
+#include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
@@ -22,18 +22,14 @@ void check_seed_count(const Graph& graph, const Components& components, std::siz
 /// Of the ways that need a mesh (start/first_seeds.h), what they come down to without: farthest
 /// points. Throws as check_seed_count.
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
-                                 std::size_t count, std::uint64_t random_seed);
-
-/// The same, with another way of searching; `search` has no seeds yet.
-std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed,
-                                 GrowingSearch& search);
+                                 Runtime& runtime = reference_runtime());
 
 /// `count` different nodes: as many of `given`, which are different, as each component's share has
 /// room for, the first of them, and then those farthest from them.
 std::vector<NodeId> complete_seeds(const Graph& graph, const Components& components,
                                    std::span<const NodeId> given, std::size_t count,
-                                   std::uint64_t random_seed, GrowingSearch& search);
+                                   std::uint64_t random_seed, Runtime& runtime);
 
 /// `count` different nodes, ascending, with about equal masses between them in the order of nodes,
 /// which is one of places; shared out among components as by choose_seeds.

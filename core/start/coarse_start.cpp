@@ -73,9 +73,8 @@ std::vector<NodeId> seeds_on_coarse_graphs(const Graph& graph, const Components&
                              std::max(fewest, finer.node_count() / coarser_by), runtime));
   }
   const Graph& coarsest = levels.back().graph;
-  std::vector<NodeId> seeds =
-      choose_seeds(coarsest, connected_components(coarsest), SeedInit::farthest, count, random_seed,
-                   *runtime.make_growing_search(coarsest));
+  std::vector<NodeId> seeds = choose_seeds(coarsest, connected_components(coarsest),
+                                           SeedInit::farthest, count, random_seed, runtime);
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
     const std::uint32_t rounds = level == levels.rbegin() ? rounds_on(coarsest) : 0;
     seeds = relaxed(level->graph, std::move(seeds), rounds, runtime);

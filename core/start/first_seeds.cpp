@@ -57,15 +57,14 @@ std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const Triangl
   if (init == SeedInit::surface) {
     return complete_seeds(graph, components,
                           seeds_on_surface(mesh, duplicates, mesh_graph, options, runtime), count,
-                          random_seed, *runtime.make_growing_search(graph));
+                          random_seed, runtime);
   }
   if (init == SeedInit::coarse && has_coarse_start(graph.node_count(), count)) {
     return complete_seeds(graph, components,
                           seeds_on_coarse_graphs(graph, components, count, random_seed, runtime),
-                          count, random_seed, *runtime.make_growing_search(graph));
+                          count, random_seed, runtime);
   }
-  return choose_seeds(graph, components, init, count, random_seed,
-                      *runtime.make_growing_search(graph));
+  return choose_seeds(graph, components, init, count, random_seed, runtime);
 }
 
 }  // namespace geolloyd

@@ -25,7 +25,7 @@
 #include "core/remesh/region_borders.h"
 #include "core/voronoi/check_partition.h"
 #include "geolloyd/errors.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tests/fuzz/target.h"
 
 namespace geolloyd::fuzz {
@@ -74,8 +74,8 @@ std::vector<NodeId> make_seeds(const Soup& soup, const Graph& graph, Scheduler& 
   const Components components = connected_components(graph);
   const std::size_t count = std::min(components.size() + soup.seeds, graph.node_count());
   std::vector<NodeId> seeds = choose_seeds(graph, components, soup.init, count, soup.random_seed);
-  require(seeds == choose_seeds(graph, components, soup.init, count, soup.random_seed,
-                                *make_parallel_growing_search(scheduler, graph)),
+  SchedulerRuntime runtime(scheduler);
+  require(seeds == choose_seeds(graph, components, soup.init, count, soup.random_seed, runtime),
           "both searches choose the same seeds");
   require(std::set(seeds.begin(), seeds.end()).size() == count, "seeds are different");
   return seeds;

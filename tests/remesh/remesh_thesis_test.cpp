@@ -17,7 +17,7 @@
 #include "core/remesh/dual_repair.h"
 #include "core/seeds/seeds.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/engine/parallel_growing_search.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tests/support/graph_kinds.h"
 #include "tests/support/sanitizers.h"
 
@@ -78,13 +78,14 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
     for (const std::size_t count : counts) {
       if (count > made.graph.node_count()) continue;
       SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " " << count);
+      SchedulerRuntime runtime(scheduler);
       RelaxationOptions options;
       options.greedy = GreedyMode::off;
       if (!is_long) options.max_macrosteps = 1;
       const std::vector<NodeId> seeds =
           relax(made.graph, *engine,
                 choose_seeds(made.graph, connected_components(made.graph), SeedInit::farthest,
-                             count, 1, *make_parallel_growing_search(scheduler, made.graph)),
+                             count, 1, runtime),
                 options)
               .seeds;
       const DualInput input{mesh, edges, made, scheduler};

@@ -7,6 +7,7 @@
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {
@@ -36,9 +37,8 @@ TEST(GrowingSearch, InParallelChoosesTheSameSeeds) {
     const auto expected = choose_seeds(made.graph, components, init, 300, 5);
     for (const std::size_t threads : {1U, 2U, 8U}) {
       Scheduler scheduler(threads);
-      ASSERT_EQ(choose_seeds(made.graph, components, init, 300, 5,
-                             *make_parallel_growing_search(scheduler, made.graph)),
-                expected);
+      SchedulerRuntime runtime(scheduler);
+      ASSERT_EQ(choose_seeds(made.graph, components, init, 300, 5, runtime), expected);
     }
   }
 }
