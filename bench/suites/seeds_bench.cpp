@@ -50,7 +50,6 @@ void choose_sequentially(Run& run, SeedInit init) {
 }
 
 void choose_in_parallel(Run& run, SeedInit init) {
-  const Graph& graph = run.inputs().graph();
   run.inputs().components();
   Scheduler scheduler(run.threads());
   SchedulerRuntime runtime(scheduler);

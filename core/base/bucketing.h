@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "core/base/buffer.h"
 #include "core/base/loops.h"
+#include "core/base/sorting_network.h"
 
 namespace geolloyd {
 
@@ -71,49 +71,12 @@ Bucketed<Entry> bucket_sort(Executor& executor, std::size_t buckets, std::size_t
   return result;
 }
 
-/// Up to eight entries, by a network (Batcher 1968). It branches on no entry: such a guess would be
-/// wrong every other time.
-inline void sort_few_entries(std::span<std::uint64_t> entries) {
-  constexpr std::size_t most = 8;
-  const std::size_t size = entries.size();
-  if (size < 2) return;
-  const std::uint64_t* from = entries.data();
-  std::array<std::uint64_t, most> e;
-  for (std::size_t i = 0; i < most; ++i) {
-    e[i] = from[std::min(i, size - 1)] | (i < size ? std::uint64_t{0} : ~std::uint64_t{0});
-  }
-  const auto order = [&e](std::size_t i, std::size_t j) {
-    const std::uint64_t a = e[i];
-    const std::uint64_t b = e[j];
-    e[i] = b < a ? b : a;
-    e[j] = b < a ? a : b;
-  };
-  order(0, 2), order(1, 3), order(4, 6), order(5, 7);
-  order(0, 4), order(1, 5), order(2, 6), order(3, 7);
-  order(0, 1), order(2, 3), order(4, 5), order(6, 7);
-  order(2, 4), order(3, 5);
-  order(1, 4), order(3, 6);
-  order(1, 2), order(3, 4), order(5, 6);
-  std::uint64_t* to = entries.data();
-  for (std::size_t i = 0; i < most; ++i) {
-    if (i < size) to[i] = e[i];
-  }
-}
-
-/// A bucket mostly has some six entries. For some more, insertion beats the call of a library sort.
+/// A bucket mostly has six or twelve entries.
 inline void sort_entries(std::span<std::uint64_t> entries) {
-  constexpr std::size_t few = 32;
-  if (entries.size() <= 8) return sort_few_entries(entries);
-  if (entries.size() > few) {
-    std::sort(entries.begin(), entries.end());
-    return;
-  }
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    const std::uint64_t entry = entries[i];
-    std::size_t slot = i;
-    for (; slot > 0 && entries[slot - 1] > entry; --slot) entries[slot] = entries[slot - 1];
-    entries[slot] = entry;
-  }
+  if (entries.size() <= 8) return sort_by_network<8>(entries);
+  if (entries.size() <= 16) return sort_by_network<16>(entries);
+  if (entries.size() <= 32) return sort_by_network<32>(entries);
+  std::sort(entries.begin(), entries.end());
 }
 
 }  // namespace geolloyd

@@ -1,12 +1,11 @@
 #include "core/graph/mesh_arcs.h"
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/bucketing.h"
+#include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/graph/straight_ways.h"
@@ -82,14 +81,20 @@ TangentSpace turned_into_triangle(const Mesh& mesh, TriangleId triangle,
           space.tangent_magnitude, space.bitangent_magnitude};
 }
 
-// Per vertex, to larger ones.
-std::vector<std::uint32_t> count_ways(const StraightWays& ways, std::size_t vertices,
-                                      Executor& executor) {
-  std::vector<std::uint32_t> count(vertices, 0);
-  parallel_for(executor, vertices, small_items, [&](std::size_t v) {
-    ways.visit(static_cast<VertexId>(v), [&](const StraightWay&) { ++count[v]; });
-  });
-  return count;
+// How many straight ways there are, from those of some vertices: to find them all takes as long as
+// to make the graph.
+std::uint64_t estimate_ways(const StraightWays& ways, std::size_t vertices, Executor& executor) {
+  constexpr std::size_t step = 16;
+  constexpr std::size_t grain = 256;
+  return step * parallel_reduce<std::uint64_t>(executor, (vertices + step - 1) / step, grain,
+                                               [&](std::size_t begin, std::size_t end) {
+                                                 std::uint64_t count = 0;
+                                                 for (std::size_t i = begin; i < end; ++i) {
+                                                   ways.visit(static_cast<VertexId>(step * i),
+                                                              [&](const StraightWay&) { ++count; });
+                                                 }
+                                                 return count;
+                                               });
 }
 
 class ArcBuilder {
@@ -125,16 +130,14 @@ class ArcBuilder {
     const Packing across(
         executor_, kind != GraphKind::vertex ? edges_.size() : 0,
         [this](std::size_t e) { return pairs_across(edges_.corners(e), options_.kind); });
-    const Packing fans(executor_, fans_.size(),
-                       [this](std::size_t v) { return pairs(fans_[v].size()); });
+    const Packing fans(executor_, fan_pairs_.size(),
+                       [this](std::size_t v) { return std::uint64_t{fan_pairs_[v]}; });
     const Packing spokes(executor_, kind == GraphKind::mixed ? mesh_.triangle_count() : 0,
                          [this](std::size_t t) {
                            return std::uint64_t{has_three_vertices(mesh_.triangles[t]) ? 3U : 0U};
                          });
-    const Packing far(executor_, ways_from_.size(),
-                      [this](std::size_t v) { return std::uint64_t{ways_from_[v]}; });
     const std::uint64_t count =
-        along.total() + across.total() + fans.total() + spokes.total() + far.total();
+        along.total() + across.total() + fans.total() + spokes.total() + ways_count_;
     check_arc_count(count);
 
     Buffer<UndirectedArc> arcs(count);
@@ -147,7 +150,7 @@ class ArcBuilder {
     first += fans.total();
     spokes.for_each(executor_, [&](std::size_t t, std::uint64_t i) { put_spokes(t, first + i); });
     first += spokes.total();
-    far.for_each(executor_, [&](std::size_t v, std::uint64_t i) { put_ways(v, first + i); });
+    put_ways(first);
     return arcs;
   }
 
@@ -188,9 +191,21 @@ class ArcBuilder {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
         const ArcEnd b = beyond(corners[j]);
         const double isotropic = unfolded_distance(a.position, b.position, e0, e1);
-        *arc++ = {a.node, b.node, length_in_metric(a, b, isotropic, measure_)};
+        double length = length_in_metric(a, b, isotropic, measure_);
+        if (legs_.size() > 0) length = std::min(length, length_by_ends(corners[i], corners[j]));
+        *arc++ = {a.node, b.node, length};
       }
     }
+  }
+
+  // The shorter way from triangle to triangle by an end of the edge that is opposite to both
+  // corners.
+  [[nodiscard]] double length_by_ends(CornerId a, CornerId b) const {
+    const bool is_turned = edge_start(mesh_, a) == edge_start(mesh_, b);
+    const CornerId at_start = is_turned ? corner_at_start(b) : corner_at_end(b);
+    const CornerId at_end = is_turned ? corner_at_end(b) : corner_at_start(b);
+    return std::min(legs_[corner_at_start(a)] + legs_[at_start],
+                    legs_[corner_at_end(a)] + legs_[at_end]);
   }
 
   [[nodiscard]] double leg(CornerId corner) const {
@@ -202,20 +217,39 @@ class ArcBuilder {
         executor_, mesh_.vertex_count(), mesh_.triangle_count(), [this](std::size_t t, auto&& put) {
           for_each_corner(mesh_, t, [&](CornerId corner) { put(apex(mesh_, corner), corner); });
         });
-    legs_ = Buffer<double>(fans_.entry.size());
+    check_arc_count(count_arcs(mesh_, edges_, options_.kind, executor_));
+    legs_ = Buffer<double>(3 * mesh_.triangle_count());
+    parallel_for(executor_, mesh_.triangle_count(), small_items, [this](std::size_t t) {
+      for_each_corner(mesh_, t, [this](CornerId corner) { legs_[corner] = leg(corner); });
+    });
+    fan_pairs_ = huge_vector<std::uint32_t>(fans_.size());
+    parallel_for(executor_, fans_.size(), small_items, [this](std::size_t v) {
+      for_pairs(fans_[v], [&](CornerId, CornerId) { ++fan_pairs_[v]; });
+    });
+  }
+
+  // Calls visit(earlier, corner) for all pairs of a fan, but for those whose triangles have an edge
+  // in common: their arc goes across it, or by its ends where that is shorter.
+  template <class Visit>
+  void for_pairs(std::span<const CornerId> fan, Visit&& visit) const {
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      const VertexId start = edge_start(mesh_, fan[i]);
+      const VertexId end = edge_end(mesh_, fan[i]);
+      for (std::size_t j = 0; j < i; ++j) {
+        const VertexId other_start = edge_start(mesh_, fan[j]);
+        const VertexId other_end = edge_end(mesh_, fan[j]);
+        if (start != other_start && start != other_end && end != other_start && end != other_end) {
+          visit(fan[j], fan[i]);
+        }
+      }
+    }
   }
 
   // All triangles at a vertex to each other, by way of it.
-  void put_fan(std::size_t v, UndirectedArc* arc) {
-    const std::span<const CornerId> fan = fans_[v];
-    double* legs = legs_.data() + (fan.data() - fans_.entry.data());
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-      legs[i] = leg(fan[i]);
-      const NodeId node = triangle_node(triangle_of(fan[i]));
-      for (std::size_t j = 0; j < i; ++j) {
-        *arc++ = {triangle_node(triangle_of(fan[j])), node, legs[j] + legs[i]};
-      }
-    }
+  void put_fan(std::size_t v, UndirectedArc* arc) const {
+    for_pairs(fans_[v], [&](CornerId a, CornerId b) {
+      *arc++ = {triangle_node(triangle_of(a)), triangle_node(triangle_of(b)), legs_[a] + legs_[b]};
+    });
   }
 
   void put_spokes(std::size_t t, UndirectedArc* arc) const {
@@ -225,22 +259,47 @@ class ArcBuilder {
     });
   }
 
+  // Found once: that takes longer than to copy them.
   void find_ways() {
-    ways_.emplace(mesh_, edges_, executor_);
-    ways_from_ = count_ways(*ways_, mesh_.vertex_count(), executor_);
+    constexpr std::size_t grain = 256;
+    const StraightWays ways(mesh_, edges_, executor_);
+    check_arc_count(estimate_ways(ways, mesh_.vertex_count(), executor_));
+    ways_.resize((mesh_.vertex_count() + grain - 1) / grain);
+    std::vector<std::vector<UndirectedArc>> found(executor_.threads());
+    parallel_for_ranges(
+        executor_, mesh_.vertex_count(), grain,
+        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+          found[worker].clear();
+          for (std::size_t v = begin; v < end; ++v) {
+            ways.visit(static_cast<VertexId>(v), [&](const StraightWay& way) {
+              found[worker].push_back(
+                  {target_.node_of[way.from], target_.node_of[way.to], length_of_way(ways, way)});
+            });
+          }
+          ways_[begin / grain] = found[worker];
+        });
+    for (const std::vector<UndirectedArc>& some : ways_) ways_count_ += some.size();
   }
 
-  void put_ways(std::size_t v, UndirectedArc* arc) const {
-    ways_->visit(static_cast<VertexId>(v), [&](const StraightWay& way) {
-      *arc++ = {target_.node_of[way.from], target_.node_of[way.to], length_of_way(way)};
+  void put_ways(UndirectedArc* arc) {
+    constexpr std::size_t grain = 4;
+    std::vector<UndirectedArc*> place;
+    place.reserve(ways_.size());
+    for (const std::vector<UndirectedArc>& some : ways_) {
+      place.push_back(arc);
+      arc += some.size();
+    }
+    parallel_for(executor_, ways_.size(), grain, [&](std::size_t i) {
+      std::copy(ways_[i].begin(), ways_[i].end(), place[i]);
+      ways_[i] = {};
     });
   }
 
   // The sum over the triangles on the way, each in its own space.
-  [[nodiscard]] double length_of_way(const StraightWay& way) const {
+  [[nodiscard]] double length_of_way(const StraightWays& ways, const StraightWay& way) const {
     if (triangle_space_.empty() && measure_.norm == Norm::geodesic) return way.length;
     double sum = 0;
-    ways_->visit_pieces(way, [&](const StraightPiece& piece) {
+    ways.visit_pieces(way, [&](const StraightPiece& piece) {
       sum += triangle_space_.empty()
                  ? measure(piece.displacement, measure_.norm)
                  : measure(piece.displacement, triangle_space_[piece.triangle], measure_.norm);
@@ -255,10 +314,12 @@ class ArcBuilder {
   Measure measure_;
   const MeshGraph& target_;
   std::vector<TangentSpace> triangle_space_;
-  Bucketed<CornerId> fans_;  // corners at each vertex
-  Buffer<double> legs_;      // of each of these
-  std::optional<StraightWays> ways_;
-  std::vector<std::uint32_t> ways_from_;  // per vertex, how many go to larger ones
+  // Of triangle_dense:
+  Bucketed<CornerId> fans_;                       // corners at each vertex
+  std::vector<std::uint32_t> fan_pairs_;          // per vertex: that get an arc there
+  Buffer<double> legs_;                           // per corner: from the barycentre to there
+  std::vector<std::vector<UndirectedArc>> ways_;  // of vertex_far, by ranges of vertices
+  std::uint64_t ways_count_ = 0;
 };
 
 }  // namespace
@@ -270,9 +331,7 @@ std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kin
     arcs += pairs_across(edges.corners(e), kind);
   }
   if (kind == GraphKind::vertex_far) {
-    const auto count =
-        count_ways(StraightWays(mesh, edges, executor), mesh.vertex_count(), executor);
-    arcs = std::accumulate(count.begin(), count.end(), arcs);
+    arcs += estimate_ways(StraightWays(mesh, edges, executor), mesh.vertex_count(), executor);
   }
   if (kind == GraphKind::mixed) arcs += edges.corner.size();
   if (kind == GraphKind::triangle_dense) {

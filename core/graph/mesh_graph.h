@@ -45,8 +45,9 @@ struct MeshGraphOptions {
       std::nullopt;  ///< of spaces; none: suggested_averaging(norm)
 };
 
-/// Number of arcs, in one direction, before those between the same two nodes become one. Many
-/// triangles at one edge or vertex make arcs by the square of their number.
+/// Number of arcs, in one direction, counted again for each vertex and edge by way of which two
+/// nodes are joined. Many triangles at one edge or vertex make arcs by the square of their number.
+/// Those of vertex_far are estimated.
 std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind,
                          Executor& executor = sequential());
 

@@ -86,10 +86,6 @@ class StraightWays {
                                        bool is_forward) const;
   [[nodiscard]] Vec3 crossing(const CrossedEdge& edge, const UnfoldedPlace& end) const;
 
-  // The other corners of the triangle.
-  static CornerId after(CornerId corner) { return corner % 3 < 2 ? corner + 1 : corner - 2; }
-  static CornerId before(CornerId corner) { return corner % 3 > 0 ? corner - 1 : corner + 2; }
-
   static double turn(const UnfoldedPlace& from, const UnfoldedPlace& to) {
     return from.x * to.y - from.y * to.x;
   }
@@ -111,14 +107,15 @@ class StraightWays {
     }
     if (edge.crossings == most_crossings) return;
     if (is_left) {
-      look(
-          {&edge, is_forward ? before(corner) : after(corner), edge.right, beyond, edge.right_place,
-           place, edge.rightmost, is_right ? place : edge.leftmost, edge.crossings + 1},
-          from, visit);
+      look({&edge, is_forward ? corner_at_end(corner) : corner_at_start(corner), edge.right, beyond,
+            edge.right_place, place, edge.rightmost, is_right ? place : edge.leftmost,
+            edge.crossings + 1},
+           from, visit);
     }
     if (is_right) {
-      look({&edge, is_forward ? after(corner) : before(corner), beyond, edge.left, place,
-            edge.left_place, is_left ? place : edge.rightmost, edge.leftmost, edge.crossings + 1},
+      look({&edge, is_forward ? corner_at_start(corner) : corner_at_end(corner), beyond, edge.left,
+            place, edge.left_place, is_left ? place : edge.rightmost, edge.leftmost,
+            edge.crossings + 1},
            from, visit);
     }
   }

@@ -28,6 +28,14 @@ inline VertexId edge_end(const Mesh& mesh, CornerId corner) {
   return mesh.triangles[corner / 3][(corner + 2) % 3];
 }
 
+/// The corners of the triangle at the two ends of that edge.
+inline CornerId corner_at_start(CornerId corner) {
+  return corner % 3 < 2 ? corner + 1 : corner - 2;
+}
+inline CornerId corner_at_end(CornerId corner) {
+  return corner % 3 > 0 ? corner - 1 : corner + 2;
+}
+
 /// Calls `visit` with each corner of a triangle, ascending; with none where it names a vertex
 /// twice.
 template <class Visit>
