@@ -13,9 +13,9 @@ void prefer_huge_pages(void* memory, std::size_t bytes) {
   constexpr std::uintptr_t page = std::uintptr_t{1} << 16;  // a multiple of the small page anywhere
   if (bytes < least) return;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t begin = (address + page - 1) / page * page;
-  const std::uintptr_t end = (address + bytes) / page * page;
-  static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE));
+  const std::size_t before = (page - address % page) % page;
+  const std::size_t whole = (bytes - before) / page * page;
+  static_cast<void>(madvise(static_cast<std::byte*>(memory) + before, whole, MADV_HUGEPAGE));
 #else
   static_cast<void>(memory);
   static_cast<void>(bytes);

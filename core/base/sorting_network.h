@@ -48,7 +48,7 @@ void sort_by_network(std::span<std::uint64_t> numbers) {
   const std::size_t size = numbers.size();
   if (size < 2) return;
   std::uint64_t* const data = numbers.data();
-  std::array<std::uint64_t, most> e;
+  std::array<std::uint64_t, most> e{};
   for (std::size_t i = 0; i < most; ++i) {
     e[i] = data[std::min(i, size - 1)] | (i < size ? std::uint64_t{0} : ~std::uint64_t{0});
   }

@@ -38,7 +38,7 @@ class NearestDistances {
   /// The largest distance.
   std::uint32_t largest();
   /// Nodes farther than `distance`, and than all their neighbours; ascending. Call largest() first.
-  std::vector<NodeId> peaks_above(std::uint32_t distance) const;
+  [[nodiscard]] std::vector<NodeId> peaks_above(std::uint32_t distance) const;
 
  private:
   static constexpr std::size_t block_size = 128;  // nodes
