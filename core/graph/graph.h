@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/buffer.h"
 #include "core/base/executor.h"
 #include "core/base/types.h"
 
@@ -63,8 +64,8 @@ Graph make_graph(std::span<const UndirectedArc> arcs, std::span<const double> ma
                  Executor& executor = sequential());
 
 /// The same. The masses, one per node, are those that `masses` returns; it is called beside other
-/// work.
-Graph make_graph(std::span<const UndirectedArc> arcs, std::size_t nodes,
+/// work. The arcs give their memory back before the graph's is taken.
+Graph make_graph(Buffer<UndirectedArc> arcs, std::size_t nodes,
                  const std::function<std::vector<double>()>& masses, Executor& executor);
 
 }  // namespace geolloyd

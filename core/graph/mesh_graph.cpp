@@ -1,6 +1,7 @@
 #include "core/graph/mesh_graph.h"
 
 #include <string>
+#include <utility>
 
 #include "core/base/loops.h"
 #include "core/base/packing.h"
@@ -68,10 +69,12 @@ void number_nodes(const Mesh& mesh, MeshGraph& target, Executor& executor) {
 }
 
 // Areas of triangles, and thirds of them for vertices, by node.
-std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const MeshGraph& target) {
-  const Buffer<double> of_triangle = triangle_areas(mesh, edges.duplicates);
+std::vector<double> node_masses(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                const MeshGraph& target) {
+  Buffer<double> of_triangle;
+  if (has_triangles(target.kind)) of_triangle = triangle_areas(mesh, duplicates);
   std::vector<double> of_vertex;
-  if (has_vertices(target.kind)) of_vertex = vertex_areas(mesh, of_triangle);
+  if (has_vertices(target.kind)) of_vertex = vertex_areas(mesh, duplicates);
   std::vector<double> masses;
   masses.reserve(target.input_id.size());
   for (const std::uint32_t id : target.input_id) {
@@ -81,17 +84,64 @@ std::vector<double> node_masses(const Mesh& mesh, const MeshEdges& edges, const 
   return masses;
 }
 
+MeshGraph numbered_nodes(const Mesh& mesh, GraphKind kind, Executor& executor) {
+  MeshGraph result = start_mesh_graph(mesh, kind);
+  number_nodes(mesh, result, executor);
+  check_some_nodes(result);
+  return result;
+}
+
+void add_graph(const Mesh& mesh, std::span<const TriangleId> duplicates, Buffer<UndirectedArc> arcs,
+               MeshGraph& result, Executor& executor) {
+  result.graph = make_graph(
+      std::move(arcs), result.input_id.size(),
+      [&] { return node_masses(mesh, duplicates, result); }, executor);
+}
+
 }  // namespace
+
+std::size_t count_nodes(const Mesh& mesh, GraphKind kind, Executor& executor) {
+  const auto sum_of = [&](std::size_t items, auto&& is_node) {
+    return parallel_reduce<std::size_t>(executor, items, small_items,
+                                        [&](std::size_t begin, std::size_t end) {
+                                          std::size_t count = 0;
+                                          for (std::size_t i = begin; i < end; ++i) {
+                                            count += is_node(i) ? 1 : 0;
+                                          }
+                                          return count;
+                                        });
+  };
+  std::size_t nodes = 0;
+  if (has_vertices(kind)) {
+    const std::vector<std::uint8_t> referenced = referenced_vertices(mesh, executor);
+    nodes += sum_of(referenced.size(), [&](std::size_t v) { return referenced[v] != 0; });
+  }
+  if (has_triangles(kind)) {
+    nodes += sum_of(mesh.triangle_count(),
+                    [&](std::size_t t) { return has_three_vertices(mesh.triangles[t]); });
+  }
+  return nodes;
+}
+
+void keep_for_arcs(MeshEdges& edges, GraphKind kind) {
+  if (kind != GraphKind::vertex) return;
+  edges = {std::move(edges.ends), {}, {}, std::move(edges.duplicates)};
+}
 
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
                           Executor& executor) {
-  MeshGraph result = start_mesh_graph(mesh, options.kind);
-  number_nodes(mesh, result, executor);
-  check_some_nodes(result);
-  const Buffer<UndirectedArc> arcs = find_arcs(mesh, edges, options, result, executor);
-  result.graph = make_graph(
-      {arcs.begin(), arcs.end()}, result.input_id.size(),
-      [&] { return node_masses(mesh, edges, result); }, executor);
+  MeshGraph result = numbered_nodes(mesh, options.kind, executor);
+  add_graph(mesh, edges.duplicates, find_arcs(mesh, edges, options, result, executor), result,
+            executor);
+  return result;
+}
+
+MeshGraph make_mesh_graph(const Mesh& mesh, MeshEdges&& edges, const MeshGraphOptions& options,
+                          Executor& executor) {
+  MeshGraph result = numbered_nodes(mesh, options.kind, executor);
+  Buffer<UndirectedArc> arcs = find_arcs(mesh, edges, options, result, executor);
+  edges = {{}, {}, {}, std::move(edges.duplicates)};
+  add_graph(mesh, edges.duplicates, std::move(arcs), result, executor);
   return result;
 }
 

@@ -45,11 +45,17 @@ struct MeshGraphOptions {
       std::nullopt;  ///< of spaces; none: suggested_averaging(norm)
 };
 
+/// Number of nodes that a graph will have.
+std::size_t count_nodes(const Mesh& mesh, GraphKind kind, Executor& executor = sequential());
+
 /// Number of arcs, in one direction, counted again for each vertex and edge by way of which two
 /// nodes are joined. Many triangles at one edge or vertex make arcs by the square of their number.
 /// Those of vertex_far are estimated.
 std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kind,
                          Executor& executor = sequential());
+
+/// Gives back the memory of all that arcs are not made from: the corners in the vertex graph.
+void keep_for_arcs(MeshEdges& edges, GraphKind kind);
 
 /// Arc lengths: straight along edges and from barycentre to corner, unfolded across edges
 /// (arc_length.h), measured by the norm in the averaged tangent spaces of the two ends, or along
@@ -59,6 +65,11 @@ std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kin
 /// InvalidInput where nothing is left to make a graph of, 32-bit ids do not suffice, or a norm
 /// other than geodesic is to average metrics.
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
+                          Executor& executor = sequential());
+
+/// The same. The edges give their memory back, all but that of the duplicates, as soon as the arcs
+/// are made.
+MeshGraph make_mesh_graph(const Mesh& mesh, MeshEdges&& edges, const MeshGraphOptions& options,
                           Executor& executor = sequential());
 
 }  // namespace geolloyd

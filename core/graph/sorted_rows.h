@@ -30,6 +30,9 @@ struct SortedRows {
   [[nodiscard]] std::span<const PlacedArc> row(NodeId node) const {
     return placed[node].first(first_arc[node + 1] - first_arc[node]);
   }
+  [[nodiscard]] std::span<PlacedArc> row(NodeId node) {
+    return placed[node].first(first_arc[node + 1] - first_arc[node]);
+  }
 };
 
 SortedRows sort_rows(std::span<const UndirectedArc> arcs, std::size_t nodes, Executor& executor);

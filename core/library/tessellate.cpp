@@ -21,17 +21,28 @@ void validate(const Mesh& mesh, const TessellateOptions& options) {
   }
 }
 
-std::vector<NodeId> find_first_seeds(const Mesh& mesh, const MeshEdges& edges,
-                                     const MeshGraph& mesh_graph,
-                                     std::span<const TangentSpace> field,
-                                     const TessellateOptions& options, Runtime& runtime) {
-  const Components components = connected_components(mesh_graph.graph);
-  if (!options.first_seeds.empty()) {
-    return nodes_of_seeds(mesh_graph, components, options.first_seeds);
+// A graph and the first seeds on it. What sites of the surface take is given back before the graph
+// is made.
+std::vector<NodeId> make_graph_and_seeds(const Mesh& mesh, std::span<const TangentSpace> field,
+                                         const TessellateOptions& options, Runtime& runtime,
+                                         MeshGraph& mesh_graph) {
+  MeshEdges edges = find_edges(mesh, runtime.executor());
+  keep_for_arcs(edges, options.graph);
+  const FirstSeedOptions first{options.init, options.seed_count, options.random_seed, field};
+  std::vector<SeedPlace> places;
+  if (options.first_seeds.empty()) {
+    places =
+        find_first_places(mesh, edges.duplicates,
+                          count_nodes(mesh, options.graph, runtime.executor()), first, runtime);
   }
-  return choose_first_seeds(mesh, edges.duplicates, mesh_graph, components,
-                            {options.init, options.seed_count, options.random_seed, field},
-                            runtime);
+  mesh_graph = make_mesh_graph(
+      mesh, std::move(edges),
+      {options.graph, options.norm, {field.begin(), field.end()}, options.averaging},
+      runtime.executor());
+  const Components components = connected_components(mesh_graph.graph);
+  return options.first_seeds.empty()
+             ? choose_first_seeds(mesh, places, mesh_graph, components, first, runtime)
+             : nodes_of_seeds(mesh_graph, components, options.first_seeds);
 }
 
 RelaxationOptions relaxation_options(const TessellateOptions& options) {
@@ -52,14 +63,11 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options, Runt
   const std::vector<TangentSpace> field = checked_field(options.field, mesh.vertex_count());
   TessellatedGraph result;
   result.mesh_digest = digest(mesh);
-  const MeshEdges edges = find_edges(mesh, runtime.executor());
-  result.mesh_graph = make_mesh_graph(
-      mesh, edges, {options.graph, options.norm, field, options.averaging}, runtime.executor());
+  std::vector<NodeId> seeds =
+      make_graph_and_seeds(mesh, field, options, runtime, result.mesh_graph);
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
-  result.relaxation =
-      relax(result.mesh_graph.graph, *engine,
-            find_first_seeds(mesh, edges, result.mesh_graph, field, options, runtime),
-            relaxation_options(options), options.progress);
+  result.relaxation = relax(result.mesh_graph.graph, *engine, std::move(seeds),
+                            relaxation_options(options), options.progress);
   return describe(std::move(result));
 }
 

@@ -51,7 +51,7 @@ class CurvatureTensors {
       : mesh_(mesh),
         edges_(edges),
         executor_(executor),
-        area_(vertex_areas(mesh, triangle_areas(mesh, edges.duplicates, executor))) {
+        area_(vertex_areas(mesh, edges.duplicates)) {
     find_normals();
     edges_at_ = bucket_sort<std::uint32_t>(executor, mesh.vertex_count(), edges.size(),
                                            [&](std::size_t e, auto&& put) {

@@ -21,10 +21,16 @@ Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> dupl
   return areas;
 }
 
-std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> triangle_area) {
+std::vector<double> vertex_areas(const Mesh& mesh, std::span<const TriangleId> duplicates) {
   std::vector<double> areas(mesh.vertex_count(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (const VertexId v : mesh.triangles[t]) areas[v] += triangle_area[t] / 3;
+  auto duplicate = duplicates.begin();
+  for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+    if (duplicate != duplicates.end() && *duplicate == t) {
+      ++duplicate;
+      continue;
+    }
+    const double third = triangle_area(mesh, mesh.triangles[t]) / 3;
+    for (const VertexId v : mesh.triangles[t]) areas[v] += third;
   }
   return areas;
 }

@@ -18,7 +18,7 @@ Buffer<double> triangle_areas(const Mesh& mesh, std::span<const TriangleId> dupl
 
 /// A third of the area of the triangles around each vertex, added in their order. Sums to the
 /// surface's area.
-std::vector<double> vertex_areas(const Mesh& mesh, std::span<const double> triangle_area);
+std::vector<double> vertex_areas(const Mesh& mesh, std::span<const TriangleId> duplicates);
 
 /// What a closed surface encloses, cubic mesh units: positive where triangles are counterclockwise
 /// seen from outside.

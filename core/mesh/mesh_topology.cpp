@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/loops.h"
 
 namespace geolloyd {
 namespace {
@@ -17,28 +18,32 @@ CornerId corner_at(const Mesh& mesh, CornerId corner, VertexId v) {
 }
 
 // Triangles around a vertex, joined across its edges, are one fan where it is manifold.
-std::size_t count_broken_vertices(const Mesh& mesh, const MeshEdges& edges) {
-  DisjointSets fans(3 * mesh.triangle_count());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+std::size_t count_broken_vertices(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
+  DisjointSets fans(3 * mesh.triangle_count(), executor);
+  parallel_for(executor, edges.size(), small_items, [&](std::size_t e) {
     const auto corners = edges.corners(e);
     for (const VertexId end : edges.ends[e]) {
       const CornerId first = corner_at(mesh, corners[0], end);
       for (const CornerId c : corners.subspan(1)) fans.unite(first, corner_at(mesh, c, end));
     }
-  }
-  std::vector<std::uint8_t> fan_count(mesh.vertex_count(), 0);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+  });
+  std::vector<std::uint8_t> fan_count(mesh.vertex_count(), 0);  // 2: or more
+  parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
     for_each_corner(mesh, t, [&](CornerId c) {
       std::uint8_t& count = fan_count[apex(mesh, c)];
-      if (fans.find(c) == c && count < 2) ++count;
+      if (fans.find(c) != c) return;
+      if (!compare_exchange(count, std::uint8_t{0}, std::uint8_t{1})) {
+        relaxed_store(count, std::uint8_t{2});
+      }
     });
-  }
+  });
   return static_cast<std::size_t>(std::count(fan_count.begin(), fan_count.end(), 2));
 }
 
-std::vector<PartTopology> find_parts(const Mesh& mesh, const MeshEdges& edges) {
-  DisjointSets connected(mesh.vertex_count());
-  for (const auto& [a, b] : edges.ends) connected.unite(a, b);
+std::vector<PartTopology> find_parts(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
+  DisjointSets connected(mesh.vertex_count(), executor);
+  parallel_for(executor, edges.size(), small_items,
+               [&](std::size_t e) { connected.unite(edges.ends[e][0], edges.ends[e][1]); });
 
   std::vector<PartTopology> of_root(mesh.vertex_count());
   std::vector<std::uint8_t> is_used(mesh.vertex_count(), 0);
@@ -78,10 +83,10 @@ PartTopology MeshTopology::total() const {
   return sum;
 }
 
-MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges) {
+MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
   MeshTopology topology;
-  topology.parts = find_parts(mesh, edges);
-  topology.non_manifold_vertices = count_broken_vertices(mesh, edges);
+  topology.parts = find_parts(mesh, edges, executor);
+  topology.non_manifold_vertices = count_broken_vertices(mesh, edges, executor);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto corners = edges.corners(e);
     if (corners.size() > 2) ++topology.non_manifold_edges;

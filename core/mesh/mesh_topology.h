@@ -9,6 +9,7 @@
 namespace geolloyd {
 
 /// Of the triangles that have three vertices, and of the vertices they name. O(triangles).
-MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges);
+MeshTopology find_topology(const Mesh& mesh, const MeshEdges& edges,
+                           Executor& executor = sequential());
 
 }  // namespace geolloyd

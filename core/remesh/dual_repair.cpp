@@ -20,7 +20,9 @@ class RepairedDual {
                                                           : most_seeds_added(given));
     while (any_removable(result_.dual.violations) && keep_going_()) {
       if (!add_seeds(most)) break;
-      result_ = dualise_again(std::move(result_.seeds));
+      DualisedSeeds flawed = std::exchange(result_, {});
+      flawed.surface = {};
+      result_ = dualise_again(std::move(flawed.seeds));
     }
     if (result_.seeds.size() > given && !any_removable(result_.dual.violations)) settle(given);
     return std::move(result_);

@@ -1,9 +1,11 @@
 #include "core/remesh/region_surface.h"
 
 #include <algorithm>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/mesh_measure.h"
@@ -26,18 +28,14 @@ class RegionSurfaceBuilder {
   RegionSurface run() {
     label_nodes();
     if (!has_vertices(mesh_graph_.kind)) label_vertices();
-    if (has_triangles(mesh_graph_.kind)) {
-      for (std::size_t e = 0; e < edges_.size(); ++e) triangulate_along(e);
-    } else {
-      for (const Triangle& t : mesh_.triangles) {
-        if (has_three_vertices(t)) surface_.triangles.push_back(t);
-      }
-    }
+    find_triangles();
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto count = static_cast<std::uint32_t>(edges_.corners(e).size());
       if (count != 2) surface_.irregular_edges.push_back({edges_.ends[e], count});
     }
-    leave_out_unreached();
+    std::erase_if(surface_.irregular_edges, [this](const IrregularEdge& edge) {
+      return surface_.region[edge.ends[0]] == no_id || surface_.region[edge.ends[1]] == no_id;
+    });
     // Arcs of the two other graphs are edges of the triangulation.
     if (mesh_graph_.kind != GraphKind::vertex && mesh_graph_.kind != GraphKind::triangle) {
       reassign_fragments();
@@ -46,14 +44,26 @@ class RegionSurfaceBuilder {
   }
 
  private:
-  void leave_out_unreached() {
-    std::erase_if(surface_.triangles, [this](const Triangle& t) {
-      return surface_.region[t[0]] == no_id || surface_.region[t[1]] == no_id ||
-             surface_.region[t[2]] == no_id;
-    });
-    std::erase_if(surface_.irregular_edges, [this](const IrregularEdge& edge) {
-      return surface_.region[edge.ends[0]] == no_id || surface_.region[edge.ends[1]] == no_id;
-    });
+  void find_triangles() {
+    std::vector<Triangle> triangles;
+    if (has_triangles(mesh_graph_.kind)) {
+      for (std::size_t e = 0; e < edges_.size(); ++e) triangulate_along(e, triangles);
+      std::erase_if(triangles, [this](const Triangle& t) { return !is_part(t); });
+    } else if (std::all_of(mesh_.triangles.begin(), mesh_.triangles.end(),
+                           [this](const Triangle& t) { return is_part(t); })) {
+      surface_.triangles = SurfaceTriangles::of(mesh_.triangles);
+      return;
+    } else {
+      std::copy_if(mesh_.triangles.begin(), mesh_.triangles.end(), std::back_inserter(triangles),
+                   [this](const Triangle& t) { return is_part(t); });
+    }
+    surface_.triangles = SurfaceTriangles(std::move(triangles));
+  }
+
+  // Reached, and with three vertices.
+  [[nodiscard]] bool is_part(const Triangle& t) const {
+    return has_three_vertices(t) && surface_.region[t[0]] != no_id &&
+           surface_.region[t[1]] != no_id && surface_.region[t[2]] != no_id;
   }
 
   void label_nodes() {
@@ -85,19 +95,18 @@ class RegionSurfaceBuilder {
     }
   }
 
-  void triangulate_along(std::size_t edge) {
+  void triangulate_along(std::size_t edge, std::vector<Triangle>& triangles) const {
     const auto corners = edges_.corners(edge);
     const CornerId c = corners[0];
     const PointId u = edge_start(mesh_, c);
     const PointId w = edge_end(mesh_, c);
     if (corners.size() == 2 && goes_across(u, w, centre_of(c), centre_of(corners[1]))) {
-      surface_.triangles.push_back({u, centre_of(corners[1]), centre_of(c)});
-      surface_.triangles.push_back({centre_of(corners[1]), w, centre_of(c)});
+      triangles.push_back({u, centre_of(corners[1]), centre_of(c)});
+      triangles.push_back({centre_of(corners[1]), w, centre_of(c)});
       return;
     }
     for (const CornerId corner : corners) {
-      surface_.triangles.push_back(
-          {edge_start(mesh_, corner), edge_end(mesh_, corner), centre_of(corner)});
+      triangles.push_back({edge_start(mesh_, corner), edge_end(mesh_, corner), centre_of(corner)});
     }
   }
 
@@ -194,6 +203,20 @@ class RegionSurfaceBuilder {
 Vec3 RegionSurface::position(const Mesh& mesh, PointId point) const {
   return point < vertex_count ? mesh.positions[point]
                               : barycentre(mesh, static_cast<TriangleId>(point - vertex_count));
+}
+
+MeshEdges irregular_edges(const MeshEdges& edges) {
+  MeshEdges irregular;
+  irregular.duplicates = edges.duplicates;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto corners = edges.corners(e);
+    if (corners.size() == 2) continue;
+    irregular.ends.push_back(edges.ends[e]);
+    irregular.first_corner.push_back(static_cast<std::uint32_t>(irregular.corner.size()));
+    irregular.corner.insert(irregular.corner.end(), corners.begin(), corners.end());
+  }
+  irregular.first_corner.push_back(static_cast<std::uint32_t>(irregular.corner.size()));
+  return irregular;
 }
 
 PointId point_of(const MeshGraph& mesh_graph, std::size_t vertex_count, NodeId node) {

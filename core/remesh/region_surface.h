@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/graph/mesh_graph.h"
@@ -22,6 +23,31 @@ struct IrregularEdge {
   std::uint32_t triangles;
 };
 
+/// Triangles of its own, or those of a mesh, which must live on.
+class SurfaceTriangles {
+ public:
+  SurfaceTriangles() = default;
+  explicit SurfaceTriangles(std::vector<Triangle> own) : own_(std::move(own)) {}
+  static SurfaceTriangles of(const std::vector<Triangle>& mesh_triangles) {
+    SurfaceTriangles triangles;
+    triangles.given_ = &mesh_triangles;
+    return triangles;
+  }
+
+  [[nodiscard]] std::size_t size() const { return all().size(); }
+  [[nodiscard]] const Triangle& operator[](std::size_t i) const { return all()[i]; }
+  [[nodiscard]] auto begin() const { return all().begin(); }
+  [[nodiscard]] auto end() const { return all().end(); }
+
+ private:
+  [[nodiscard]] const std::vector<Triangle>& all() const {
+    return given_ != nullptr ? *given_ : own_;
+  }
+
+  const std::vector<Triangle>* given_ = nullptr;
+  std::vector<Triangle> own_;
+};
+
 /// A partition spread over the whole surface: a triangulation of the mesh's surface whose points
 /// each have a region, and where each region is connected along the triangulation's edges.
 ///
@@ -36,7 +62,7 @@ struct RegionSurface {
   std::size_t vertex_count = 0;
   std::size_t region_count = 0;
   PointId first_node = 0;             ///< points from here on may be nodes, and so seeds
-  std::vector<Triangle> triangles;    ///< of points; oriented like the mesh's
+  SurfaceTriangles triangles;         ///< of points; oriented like the mesh's
   std::vector<RegionId> region;       ///< per point; no_id where it is on no triangle
   std::vector<double> distance;       ///< per point, to its seed, mesh units
   std::vector<PointId> nearest_node;  ///< per point below first_node: the point it got these from
@@ -46,6 +72,11 @@ struct RegionSurface {
   [[nodiscard]] Vec3 position(const Mesh& mesh, PointId point) const;
 };
 
+/// Of all edges of a mesh those that do not have two triangles, and the duplicates.
+MeshEdges irregular_edges(const MeshEdges& edges);
+
+/// `edges` are all of the mesh; in graphs of vertices, irregular_edges() suffice. The triangles may
+/// be the mesh's, which then must live on.
 RegionSurface make_region_surface(const Mesh& mesh, const MeshEdges& edges,
                                   const MeshGraph& mesh_graph, const Partition& partition,
                                   std::size_t region_count);

@@ -89,13 +89,19 @@ bool GraphRemesh::has_input_topology() const {
 }
 
 GraphRemesh make_remesh(const RemeshInput& input, const GraphRemeshOptions& options) {
-  const MeshEdges edges = find_edges(input.mesh, input.executor);
+  if (input.surface == nullptr) {
+    InputSurface surface{{}, find_edges(input.mesh, input.executor)};
+    surface.topology = find_topology(input.mesh, surface.edges, input.executor);
+    return make_remesh({input.mesh, input.mesh_graph, input.seeds, input.partition, input.engine,
+                        input.executor, &surface},
+                       options);
+  }
+  const MeshEdges& edges = input.surface->edges;
   const DualInput dual_input{input.mesh, edges, input.mesh_graph, input.executor};
   DualisedSeeds dualised = dualise(dual_input, input.partition, input.seeds);
   GraphRemesh remesh;
-  parallel_invoke(
-      input.executor, [&] { remesh.input_topology = find_topology(input.mesh, edges); },
-      [&] { remesh.roundness = measure_roundness(input, edges, dualised.surface); });
+  remesh.input_topology = input.surface->topology;
+  remesh.roundness = measure_roundness(input, edges, dualised.surface);
   remesh.violations_found = dualised.dual.violations;
   if (options.manifold && !remesh.violations_found.empty()) {
     dualised = repair_dual(dual_input, input.engine, std::move(dualised), [&] {

@@ -6,6 +6,7 @@
 #include "core/base/executor.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
+#include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/remesh/dual_mesh.h"
 #include "core/voronoi/partition.h"
@@ -55,6 +56,12 @@ struct GraphRemesh {
   [[nodiscard]] bool has_input_topology() const;
 };
 
+/// What a remesh has to know of the edges of its mesh.
+struct InputSurface {
+  MeshTopology topology;
+  MeshEdges edges;  ///< as make_region_surface wants them
+};
+
 /// `partition` is that of `seeds`, regions free; `engine` works on mesh_graph's graph.
 struct RemeshInput {
   const Mesh& mesh;
@@ -63,6 +70,7 @@ struct RemeshInput {
   const Partition& partition;
   Engine& engine;
   Executor& executor = sequential();
+  const InputSurface* surface = nullptr;  ///< of the mesh; null: it is found, which takes memory
 };
 
 struct GraphRemeshOptions {

@@ -15,12 +15,30 @@ namespace {
 // From where seeds go on with a graph, sites need not have come to rest.
 constexpr RestEffort start_effort = {600'000, 12, 50, false};
 
-// Fewer sites than a closed surface has at least, or none at all where there is no area, or a field
-// that sites cannot follow.
-std::vector<NodeId> seeds_on_surface(const Mesh& mesh, std::span<const TriangleId> duplicates,
-                                     const MeshGraph& mesh_graph, const FirstSeedOptions& options,
-                                     Runtime& runtime) {
+SeedInit init_of(const FirstSeedOptions& options, std::size_t nodes) {
+  return options.init == SeedInit::automatic ? suited_init(nodes, options.count) : options.init;
+}
+
+}  // namespace
+
+SeedInit suited_init(std::size_t nodes, std::size_t count) {
+  constexpr std::size_t few_seeds = 128;
+  constexpr std::size_t fewest_nodes_per_seed = 6;
+  if (count <= few_seeds && has_coarse_start(nodes, count)) return SeedInit::coarse;
+  return count <= nodes / fewest_nodes_per_seed ? SeedInit::surface : SeedInit::farthest;
+}
+
+bool has_first_places(std::size_t nodes, const FirstSeedOptions& options) {
+  return init_of(options, nodes) == SeedInit::surface && options.count <= nodes;
+}
+
+// None for fewer sites than a closed surface has at least, where there is no area, or a field that
+// sites cannot follow.
+std::vector<SeedPlace> find_first_places(const Mesh& mesh, std::span<const TriangleId> duplicates,
+                                         std::size_t nodes, const FirstSeedOptions& options,
+                                         Runtime& runtime) {
   constexpr std::size_t fewest_sites = 4;
+  if (!has_first_places(nodes, options)) return {};
   double area = 0;
   for (const double a : triangle_areas(mesh, duplicates, runtime.executor())) area += a;
   if (options.count < fewest_sites || !(area > 0) || !can_spread(options.field)) return {};
@@ -34,30 +52,20 @@ std::vector<NodeId> seeds_on_surface(const Mesh& mesh, std::span<const TriangleI
     if (point.triangle == no_id) continue;
     places.push_back({point.triangle, position_of(mesh, point)});
   }
-  return seeds_near(mesh, mesh_graph, places);
+  return places;
 }
 
-}  // namespace
-
-SeedInit suited_init(std::size_t nodes, std::size_t count) {
-  constexpr std::size_t few_seeds = 128;
-  constexpr std::size_t fewest_nodes_per_seed = 6;
-  if (count <= few_seeds && has_coarse_start(nodes, count)) return SeedInit::coarse;
-  return count <= nodes / fewest_nodes_per_seed ? SeedInit::surface : SeedInit::farthest;
-}
-
-std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const TriangleId> duplicates,
+std::vector<NodeId> choose_first_seeds(const Mesh& mesh, std::span<const SeedPlace> places,
                                        const MeshGraph& mesh_graph, const Components& components,
                                        const FirstSeedOptions& options, Runtime& runtime) {
   const Graph& graph = mesh_graph.graph;
-  const auto [asked, count, random_seed, field] = options;
+  const std::size_t count = options.count;
+  const std::uint64_t random_seed = options.random_seed;
   check_seed_count(graph, components, count);
-  const SeedInit init =
-      asked == SeedInit::automatic ? suited_init(graph.node_count(), count) : asked;
+  const SeedInit init = init_of(options, graph.node_count());
   if (init == SeedInit::surface) {
-    return complete_seeds(graph, components,
-                          seeds_on_surface(mesh, duplicates, mesh_graph, options, runtime), count,
-                          random_seed, runtime);
+    const std::vector<NodeId> near = seeds_near(mesh, mesh_graph, places);
+    return complete_seeds(graph, components, near, count, random_seed, runtime);
   }
   if (init == SeedInit::coarse && has_coarse_start(graph.node_count(), count)) {
     return complete_seeds(graph, components,

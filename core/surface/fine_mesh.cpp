@@ -68,6 +68,7 @@ void find_neighbours(FineMesh& mesh, Executor& executor) {
                       [&](std::size_t begin, std::size_t end, std::size_t) {
                         EdgesAtVertex edges;
                         std::vector<VertexId>& found = of_range[begin / small_items];
+                        found.reserve(mesh.first_triangle[end] - mesh.first_triangle[begin]);
                         for (auto v = static_cast<VertexId>(begin); v < end; ++v) {
                           const std::size_t before = found.size();
                           edges.find(mesh, v);
@@ -85,6 +86,7 @@ void find_neighbours(FineMesh& mesh, Executor& executor) {
   parallel_for(executor, of_range.size(), 1, [&](std::size_t range) {
     std::copy(of_range[range].begin(), of_range[range].end(),
               mesh.neighbour.begin() + mesh.first_neighbour[range * small_items]);
+    of_range[range] = std::vector<VertexId>();
   });
 }
 

@@ -108,6 +108,13 @@ void LevelMeshes::close_features(CoarseMesh& coarse) const {
   close_edges(coarse.mesh, edges);
 }
 
+void LevelMeshes::forget_coarser(const LevelMesh& level) {
+  for (auto l = static_cast<std::size_t>(&level - levels_.data()) + 1; l < levels_.size(); ++l) {
+    coarse_[l - 1] = {};
+    levels_[l] = {};
+  }
+}
+
 std::vector<VertexId> LevelMeshes::map(const LevelMesh& finer, const LevelMesh& coarser) const {
   const auto from = static_cast<std::size_t>(&finer - levels_.data());
   const auto to = static_cast<std::size_t>(&coarser - levels_.data());

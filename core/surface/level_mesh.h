@@ -31,6 +31,8 @@ class LevelMeshes {
   [[nodiscard]] const LevelMesh& fine() const { return levels_[0]; }
   /// For sites so far apart.
   [[nodiscard]] const LevelMesh& at(std::size_t spacing) const { return levels_[of_[spacing]]; }
+  /// Gives back the memory of those coarser than this one, which nobody needs any more.
+  void forget_coarser(const LevelMesh& level);
   /// Per vertex of `finer`: what stands for it in `coarser`.
   [[nodiscard]] std::vector<VertexId> map(const LevelMesh& finer, const LevelMesh& coarser) const;
 

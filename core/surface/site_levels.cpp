@@ -67,7 +67,11 @@ class LevelByLevel {
       refine(level);
       settle(level);
     }
-    if (on_ != &meshes_.fine()) move_to(meshes_.fine());
+    if (on_ != &meshes_.fine()) {
+      move_to(meshes_.fine());
+      relaxer_.release_engine();
+      meshes_.forget_coarser(*on_);
+    }
     balance(0);
     return {std::move(state_), std::move(levels_[0])};
   }

@@ -33,8 +33,11 @@ class SiteRelaxer {
   void sweep(const LevelMesh& level, LabelledSites& state);
   /// Moves free sites downhill; after an interrupt, only sweeps. Returns the energy.
   double relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations);
-  /// Gives the engine's memory back. Nothing is relaxed after that.
-  void release_engine() { engine_.reset(); }
+  /// Gives the engine's memory back, until something is relaxed again.
+  void release_engine() {
+    engine_.reset();
+    mesh_ = nullptr;
+  }
   /// Moments of the cells after the last sweep.
   [[nodiscard]] const Cells& cells() const { return engine_->cells(); }
 

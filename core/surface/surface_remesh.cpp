@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -185,9 +186,14 @@ class SurfaceRemesher {
 // Makes the surface on which sites move, and finds out how far apart they are to be.
 class SurfaceSizer {
  public:
+  /// `release_edges` is called when only the duplicates are needed any more.
   SurfaceSizer(const Mesh& mesh, const MeshEdges& edges, const SurfaceRemeshOptions& options,
-               Executor& executor)
-      : mesh_(mesh), edges_(edges), options_(options), executor_(executor) {
+               const std::function<void()>& release_edges, Executor& executor)
+      : mesh_(mesh),
+        edges_(edges),
+        options_(options),
+        release_edges_(release_edges),
+        executor_(executor) {
     for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area_ += a;
     if (!(area_ > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
   }
@@ -197,6 +203,7 @@ class SurfaceSizer {
     Sizing sizing = find_sizing(mesh_, edges_, options_, executor_);
     const std::size_t count = about_how_many(sizing.spacing);
     features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
+    if (!(options_.sizing.adapt > 0)) release_edges_();
     SurfaceInput input = make_input(sizing, count);
     if (options_.sizing.adapt > 0) {
       const double spacing = sizing.spacing * input.frame.scale;
@@ -204,6 +211,7 @@ class SurfaceSizer {
           relative_curvatures(mesh_, input, spacing, executor_), options_.sizing.adapt);
       input = {};
       sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
+      release_edges_();
       input = make_input(sizing, about_how_many(sizing.spacing));
     }
     return {std::move(input), std::move(sizing), std::move(shape_)};
@@ -241,6 +249,7 @@ class SurfaceSizer {
   const Mesh& mesh_;
   const MeshEdges& edges_;
   const SurfaceRemeshOptions& options_;
+  const std::function<void()>& release_edges_;
   Executor& executor_;
   double area_ = 0;
   std::vector<TrianglePair> features_;
@@ -270,6 +279,15 @@ void check_options(const Mesh& mesh, const SurfaceRemeshOptions& options) {
   }
 }
 
+SurfaceRemesh remesh_with(const Mesh& mesh, const MeshEdges& edges,
+                          const SurfaceRemeshOptions& options,
+                          const std::function<void()>& release_edges,
+                          const MakeSurfaceEngine& make_engine, Executor& executor) {
+  check_options(mesh, options);
+  const SizedSurface surface = SurfaceSizer(mesh, edges, options, release_edges, executor).run();
+  return SurfaceRemesher(mesh, surface, options, make_engine, executor).run();
+}
+
 }  // namespace
 
 double SurfaceRemesh::feature_length() const {
@@ -289,9 +307,15 @@ bool SurfaceRemesh::has_input_topology() const {
 SurfaceRemesh make_surface_remesh(const Mesh& mesh, const MeshEdges& edges,
                                   const SurfaceRemeshOptions& options,
                                   const MakeSurfaceEngine& make_engine, Executor& executor) {
-  check_options(mesh, options);
-  const SizedSurface surface = SurfaceSizer(mesh, edges, options, executor).run();
-  return SurfaceRemesher(mesh, surface, options, make_engine, executor).run();
+  return remesh_with(
+      mesh, edges, options, [] {}, make_engine, executor);
+}
+
+SurfaceRemesh make_surface_remesh(const Mesh& mesh, MeshEdges&& edges,
+                                  const SurfaceRemeshOptions& options,
+                                  const MakeSurfaceEngine& make_engine, Executor& executor) {
+  const auto release = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+  return remesh_with(mesh, edges, options, release, make_engine, executor);
 }
 
 }  // namespace geolloyd

@@ -13,4 +13,11 @@ SurfaceRemesh make_surface_remesh(const Mesh& mesh, const MeshEdges& edges,
                                   const MakeSurfaceEngine& make_engine,
                                   Executor& executor = sequential());
 
+/// The same. The edges give their memory back, all but that of the duplicates, before the surface
+/// on which sites move is made.
+SurfaceRemesh make_surface_remesh(const Mesh& mesh, MeshEdges&& edges,
+                                  const SurfaceRemeshOptions& options,
+                                  const MakeSurfaceEngine& make_engine,
+                                  Executor& executor = sequential());
+
 }  // namespace geolloyd

@@ -100,27 +100,36 @@ class SurfaceRepair {
     RegionSurface surface;
     surface.vertex_count = input_.fine.vertex_count();
     surface.region_count = state.sites.size();
-    surface.triangles = input_.fine.triangles;
     surface.region = state.labels;
     surface.distance.resize(surface.vertex_count);
     parallel_for(executor_, surface.vertex_count, small_items, [&](std::size_t v) {
       const Vec3 away = input_.fine.positions[v] - state.sites.positions[state.labels[v]];
       surface.distance[v] = std::sqrt(input_.fine.square_at(static_cast<VertexId>(v), away));
     });
+    surface.triangles = triangles_with_caps();
     std::vector<std::uint8_t> is_at_pinhole(surface.vertex_count, 0);
     for (const std::vector<VertexId>& loop : chains_.pinholes) {
       for (const VertexId v : loop) is_at_pinhole[v] = 1;
-      const bool runs_along = has_directed_edge(loop[0], loop[1]);
-      for (std::size_t i = 2; i < loop.size(); ++i) {
-        Triangle cap = {loop[0], loop[i - 1], loop[i]};
-        if (runs_along) std::swap(cap[1], cap[2]);
-        surface.triangles.push_back(cap);
-      }
     }
     for (const auto& ends : input_.boundary_edges) {
       if (is_at_pinhole[ends[0]] == 0) surface.irregular_edges.push_back({ends, 1});
     }
     return surface;
+  }
+
+  // Pinholes are closed.
+  [[nodiscard]] SurfaceTriangles triangles_with_caps() const {
+    if (chains_.pinholes.empty()) return SurfaceTriangles::of(input_.fine.triangles);
+    std::vector<Triangle> triangles = input_.fine.triangles;
+    for (const std::vector<VertexId>& loop : chains_.pinholes) {
+      const bool runs_along = has_directed_edge(loop[0], loop[1]);
+      for (std::size_t i = 2; i < loop.size(); ++i) {
+        Triangle cap = {loop[0], loop[i - 1], loop[i]};
+        if (runs_along) std::swap(cap[1], cap[2]);
+        triangles.push_back(cap);
+      }
+    }
+    return SurfaceTriangles(std::move(triangles));
   }
 
   // Whether a triangle names `to` right after `from`.

@@ -47,6 +47,7 @@ void DeltaStepping::Buckets::clear() {
 
 // An exception may have left something in them.
 void DeltaStepping::begin() {
+  keeps_buckets_ = true;
   for (Buckets& b : buckets_) b.clear();
 }
 
@@ -57,7 +58,14 @@ void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys
     keys[seeds[r]] = make_key(0, r);
     buckets_.front().push(0, {keys[seeds[r]], seeds[r]});
   }
+  keeps_buckets_ = false;
   settle(keys, [](Buckets&, NodeId, Key, Key) {});
+  release_memory();
+}
+
+void DeltaStepping::release_memory() {
+  for (Buckets& b : buckets_) b = {};
+  frontier_ = std::vector<Entry>();
 }
 
 void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
@@ -215,6 +223,7 @@ std::size_t DeltaStepping::take_next_bucket(std::size_t bucket) {
     b.first = next;
     frontier_.insert(frontier_.end(), b.at[next].begin(), b.at[next].end());
     b.at[next].clear();
+    if (!keeps_buckets_) b.at[next].shrink_to_fit();
   }
   return next;
 }

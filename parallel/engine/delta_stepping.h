@@ -22,7 +22,8 @@ class DeltaStepping {
   /// `delta` 0: about one mean arc.
   DeltaStepping(Scheduler& scheduler, const Graph& graph, std::uint32_t delta = 0);
 
-  /// From scratch: overwrites `keys`, one per node, with what search_free (dijkstra.h) gives.
+  /// From scratch: overwrites `keys`, one per node, with what search_free (dijkstra.h) gives. All
+  /// nodes pass through the buckets, so each gives its memory back once it is done.
   void search(std::span<const NodeId> seeds, std::vector<Key>& keys);
 
   /// From `keys` that are upper bounds: 0 at seeds, not below what they come down to, and to be
@@ -81,12 +82,14 @@ class DeltaStepping {
   template <class OnLowered>
   void offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   std::size_t take_next_bucket(std::size_t bucket);
+  void release_memory();
 
   Scheduler& scheduler_;
   const Graph& graph_;
   std::uint32_t delta_;
   std::vector<Buckets> buckets_;  // per thread
   std::vector<Entry> frontier_;
+  bool keeps_buckets_ = true;  // the memory of those that are done
 };
 
 }  // namespace geolloyd

@@ -27,9 +27,7 @@ IncrementalPartition::IncrementalPartition(Scheduler& scheduler, const Graph& gr
       frontier_(frontier),
       delta_stepping_(scheduler, graph),
       seconds_(seconds),
-      branch_of_(graph.node_count()),
-      sums_{std::vector<std::uint64_t>(graph.node_count()),
-            std::vector<std::uint64_t>(graph.node_count())} {
+      branch_of_(graph.node_count()) {
   partition_.parent.resize(graph.node_count());
 }
 
@@ -51,6 +49,8 @@ void IncrementalPartition::update(std::span<const NodeId> seeds) {
 
 std::vector<RegionId> IncrementalPartition::update_sums() {
   const Timed timed(seconds_.subtree_sums);
+  sums_.cost.resize(graph_.node_count());  // only the greedy phase asks for them
+  sums_.mass.resize(graph_.node_count());
   std::vector<RegionId> regions = regions_where(has_sums_, false);
   find_branches(scheduler_, graph_, seeds_, partition_, region_nodes_,
                 cut_into_pieces(region_nodes_, regions), branch_of_, sums_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/loops.h"
@@ -65,11 +66,17 @@ struct LabelChange {
   RegionId label;
 };
 
-// A vertex whose label cannot change until its site and the rival have travelled so far in sum.
+// A vertex whose label cannot change until its site and the rival have travelled so far in sum, or
+// not much farther: there is one for each vertex, and so it is small.
 struct Sleeper {
   RegionId rival = no_id;  // none: the vertex is awake
-  double until = 0;
+  float until = 0;
 };
+
+float rounded_down(double x) {
+  const auto rounded = static_cast<float>(x);
+  return rounded <= x ? rounded : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
+}
 
 template <class Measure>
 class ParallelSurfaceEngine final : public SurfaceEngine {
@@ -249,7 +256,8 @@ class ParallelSurfaceEngine final : public SurfaceEngine {
     if (sleeper.rival == no_id) return;
     double lead = std::sqrt(nearest.square_rival) - std::sqrt(nearest.square_own);
     if (!mesh_.metric.empty()) lead /= std::sqrt(mesh_.metric[v].trace());
-    sleeper.until = travelled_[nearest.label] + travelled_[nearest.rival] + lead - margin;
+    sleeper.until =
+        rounded_down(travelled_[nearest.label] + travelled_[nearest.rival] + lead - margin);
   }
   [[nodiscard]] bool is_asleep(VertexId v) const {
     const Sleeper& sleeper = sleeper_[v];

@@ -321,5 +321,27 @@ TEST(MeshGraph, NormsFollowTheAxesOrTheField) {
               2 * 1.8 + 2.4, 1e-6);
 }
 
+// What no arc is made from goes before, the rest meanwhile.
+TEST(MeshGraph, IsTheSameFromEdgesThatGiveTheirMemoryBack) {
+  Mesh mesh = irregular_plane(2000, 1);
+  mesh.triangles.push_back(mesh.triangles[5]);
+  mesh.triangles.push_back({7, 7, 9});
+  for (const GraphKind kind : all_kinds) {
+    MeshEdges edges = find_edges(mesh);
+    const MeshGraph expected = make_mesh_graph(mesh, edges, {kind, Norm::geodesic, {}});
+    EXPECT_EQ(count_nodes(mesh, kind), expected.graph.node_count());
+    keep_for_arcs(edges, kind);
+    EXPECT_EQ(edges.corner.capacity() == 0, kind == GraphKind::vertex);
+    const MeshGraph made = make_mesh_graph(mesh, std::move(edges), {kind, Norm::geodesic, {}});
+    EXPECT_EQ(edges.ends.capacity(), 0U);
+    EXPECT_EQ(edges.duplicates.size(), 1U);
+    EXPECT_EQ(made.input_id, expected.input_id);
+    EXPECT_EQ(made.graph.first_arc, expected.graph.first_arc);
+    EXPECT_EQ(made.graph.target, expected.graph.target);
+    EXPECT_EQ(made.graph.length, expected.graph.length);
+    EXPECT_EQ(made.graph.mass, expected.graph.mass);
+  }
+}
+
 }  // namespace
 }  // namespace geolloyd

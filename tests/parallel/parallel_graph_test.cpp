@@ -12,9 +12,12 @@
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/mesh/mesh_topology.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/support/graph_kinds.h"
+#include "tests/support/random_graph.h"
 
 namespace geolloyd {
 namespace {
@@ -228,6 +231,23 @@ TEST(ParallelGraph, IsRefusedInTheSameWords) {
       expect_same(check_mesh(mesh, edges, scheduler), check_mesh(mesh, edges));
       EXPECT_EQ(refusal([&] { make_mesh_graph(mesh, edges, options, scheduler); }), expected);
     });
+  }
+}
+
+// Parts that share vertices and edges, and have holes, are joined by several threads at once.
+TEST(ParallelTopology, IsTheSameWithAnyNumberOfThreads) {
+  Mesh mesh = irregular_plane(20000, 1);
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    Triangle& t = mesh.triangles[random_number(1, i, mesh.triangle_count())];
+    t[random_number(2, i, 3)] = random_number(3, i, mesh.vertex_count());
+  }
+  const MeshEdges edges = find_edges(mesh);
+  const MeshTopology expected = find_topology(mesh, edges);
+  EXPECT_GT(expected.non_manifold_vertices, 0U);
+  EXPECT_GT(expected.non_manifold_edges, 0U);
+  for (const std::size_t threads : {2U, 5U}) {
+    Scheduler scheduler(threads);
+    EXPECT_EQ(find_topology(mesh, edges, scheduler), expected) << threads;
   }
 }
 

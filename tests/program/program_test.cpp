@@ -516,5 +516,52 @@ TEST_F(Program, HelpAndVersionAreNoErrors) {
   }
 }
 
+// Each file is the same as among the others.
+TEST_F(Program, WritesOnlyWhatIsAskedFor) {
+  ASSERT_EQ(relax("--seeds 20", "all").status, 0);
+  for (const std::string file :
+       {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply", "report.json"}) {
+    SCOPED_TRACE(file);
+    const std::string name = file.substr(0, file.find('.'));
+    const Outcome outcome = relax("--seeds 20 --only " + name, name);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find(name + "/: " + file + "\n"), std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find("removed"), std::string::npos);
+    EXPECT_EQ(std::distance(fs::directory_iterator(out(name)), {}), 1);
+    if (name == "report") {
+      EXPECT_EQ(report_in(out(name))["fingerprint"], report_in(out("all"))["fingerprint"]);
+      EXPECT_EQ(report_in(out(name))["remesh"], report_in(out("all"))["remesh"]);
+    } else {
+      EXPECT_EQ(read_file(out(name) / file), read_file(out("all") / file));
+    }
+  }
+  const Outcome two = relax("--seeds 20 --only remesh,seeds", "two");
+  EXPECT_NE(two.text.find("two/: seeds.csv remesh.ply\n"), std::string::npos) << two.text;
+  EXPECT_NE(two.text.find("\n  remesh "), std::string::npos) << two.text;
+  const Outcome none = relax("--seeds 20 --only seeds", "none");
+  EXPECT_EQ(none.text.find("\n  remesh "), std::string::npos) << none.text;
+}
+
+// What is left of it would look like a part of this run's result.
+TEST_F(Program, RemovesFilesOfAnEarlierRunThatAreNotAskedFor) {
+  ASSERT_EQ(relax("--seeds 20").status, 0);
+  const std::string seeds = (out() / "seeds.csv").string();
+  expect_complaint(relax("--only remesh --seeds-file " + seeds), "would be overwritten");
+  EXPECT_TRUE(fs::exists(out() / "report.json"));
+  const Outcome outcome = relax("--seeds 30 --only remesh,regions");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("out/: tessellation.ply seeds.csv report.json, of an earlier run"),
+            std::string::npos)
+      << outcome.text;
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 2);
+}
+
+TEST_F(Program, ListsTheOutputsThereAre) {
+  expect_complaint(relax("--seeds 20 --only seeds,remsh"),
+                   "--only: remsh not in {tessellation,seeds,regions,remesh,report}");
+  expect_complaint(relax("--seeds 20 --only ''"), "--only");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
 }  // namespace
 }  // namespace geolloyd

@@ -44,5 +44,30 @@ TEST(InterruptedRemesh, IsNoOtherRemesh) {
   EXPECT_EQ(remesh.why_left, ViolationsLeft::none);
 }
 
+// Whether it finds the edges of its mesh or is told of them.
+TEST(GraphRemesh, IsTheSameFromWhatIsKnownOfTheEdges) {
+  Mesh mesh = irregular_plane(2000, 1);
+  mesh.triangles.push_back({0, 1, 500});  // at edges of three triangles, perhaps
+  mesh.triangles.push_back({3, 3, 4});
+  const MeshEdges edges = find_edges(mesh);
+  const MeshGraph mesh_graph =
+      make_mesh_graph(mesh, edges, {GraphKind::vertex, Norm::geodesic, {}});
+  const std::vector<NodeId> seeds = {0, 300, 600, 900};
+  const auto engine = make_reference_engine(mesh_graph.graph);
+  const Partition partition = partition_of(*engine, seeds);
+  const InputSurface known{find_topology(mesh, edges), irregular_edges(edges)};
+  const RemeshInput input{mesh, mesh_graph, seeds, partition, *engine};
+  const GraphRemesh found = make_remesh(input, {});
+  const GraphRemesh told =
+      make_remesh({mesh, mesh_graph, seeds, partition, *engine, sequential(), &known}, {});
+  EXPECT_EQ(told.mesh.positions, found.mesh.positions);
+  EXPECT_EQ(told.mesh.triangles, found.mesh.triangles);
+  EXPECT_EQ(told.seeds, found.seeds);
+  EXPECT_EQ(told.input_topology, found.input_topology);
+  EXPECT_EQ(told.roundness.mean, found.roundness.mean);
+  EXPECT_EQ(told.violations_found.size(), found.violations_found.size());
+  EXPECT_LT(known.edges.size(), edges.size() / 10);
+}
+
 }  // namespace
 }  // namespace geolloyd

@@ -27,9 +27,11 @@ Chosen choose(const Mesh& mesh, GraphKind kind, SeedInit init, std::size_t count
               const std::vector<TangentSpace>& field = {}) {
   const MeshEdges edges = find_edges(mesh);
   Chosen chosen{make_mesh_graph(mesh, edges, {kind, {}, field}), {}};
-  chosen.seeds =
-      choose_first_seeds(mesh, edges.duplicates, chosen.made,
-                         connected_components(chosen.made.graph), {init, count, 1, field}, runtime);
+  EXPECT_EQ(count_nodes(mesh, kind), chosen.made.graph.node_count());
+  const FirstSeedOptions options{init, count, 1, field};
+  chosen.seeds = choose_first_seeds(
+      mesh, find_first_places(mesh, edges.duplicates, count_nodes(mesh, kind), options, runtime),
+      chosen.made, connected_components(chosen.made.graph), options, runtime);
   return chosen;
 }
 

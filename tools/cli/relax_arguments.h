@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -102,12 +103,21 @@ struct RelaxArguments {
   ThreadArguments threads;
   RemeshArguments remesh;
   PictureArguments picture;
-  std::filesystem::path output;        ///< a folder
-  std::filesystem::path picture_file;  ///< empty: none
-  std::filesystem::path frames;        ///< a folder; empty: none
+  std::filesystem::path output;                                   ///< a folder
+  std::vector<RelaxOutput> only = values_of(relax_output_names);  ///< what goes there
+  std::filesystem::path picture_file;                             ///< empty: none
+  std::filesystem::path frames;                                   ///< a folder; empty: none
   bool ground_truth = false;
   double checkpoint_seconds = 60;  ///< between two of them
   bool resume = false;
+
+  [[nodiscard]] bool writes(RelaxOutput what) const {
+    return std::find(only.begin(), only.end(), what) != only.end();
+  }
+  /// The report tells of it, too.
+  [[nodiscard]] bool makes_remesh() const {
+    return writes(RelaxOutput::remesh) || writes(RelaxOutput::report);
+  }
 };
 
 void add_mesh_argument(CLI::App& command, StartArguments& start);

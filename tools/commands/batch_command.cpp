@@ -87,9 +87,8 @@ class Batches {
       GraphArguments as_asked = arguments_.start.graph;
       as_asked.kind = graph;
       // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
-      const Purpose purpose{arguments_.engine.kind, false, {}, {}};
-      const MeshGraph mesh_graph =
-          build_graph(as_asked, loaded_, 1, purpose, scheduler_).mesh_graph;
+      const Purpose purpose{arguments_.engine.kind, false, {}, {}, false};
+      const MeshGraph mesh_graph = build_graph(as_asked, loaded_, purpose, scheduler_);
       for (const std::size_t k : ladder_) {
         for (BatchRow& row : run_from(mesh_graph, k)) rows.push_back(row);
         save(rows);

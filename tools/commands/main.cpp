@@ -151,6 +151,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_by_exception);
   geolloyd::hold_standard_streams();
   geolloyd::end_on_interrupts();
+  geolloyd::return_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is one more thing that cannot be written
   try {
     geolloyd::limit_memory(geolloyd::available_memory());

@@ -8,6 +8,7 @@
 
 #include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
+#include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/commands/commands.h"
@@ -46,11 +47,12 @@ const char* describe(StopReason end) {
 void print_regions(const Result& result) {
   const RegionSpread areas = region_spread(result.regions);
   if (!(areas.largest > 0)) return;  // without area
-  fmt::print(
-      "  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}; isoperimetric ratio "
-      "{:.3g}, smallest {:.3g}\n",
-      "regions", areas.smallest, areas.largest, areas.deviation, result.remesh.roundness.mean,
-      result.remesh.roundness.min);
+  fmt::print("  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}{}\n", "regions",
+             areas.smallest, areas.largest, areas.deviation,
+             result.remesh
+                 ? fmt::format("; isoperimetric ratio {:.3g}, smallest {:.3g}",
+                               result.remesh->roundness.mean, result.remesh->roundness.min)
+                 : "");
 }
 
 std::string describe(const SeedArguments& seeds, const Graph& graph, std::size_t count) {
@@ -104,9 +106,19 @@ void print_cost(const Start::Seconds& start, const Result& result, const Cost& c
              counted(result.threads, "thread", "threads"));
 }
 
-void print_files(const RelaxArguments& arguments, std::size_t frames) {
-  fmt::print("  {:<12}{}/: tessellation.ply seeds.csv regions.csv remesh.ply report.json\n",
-             "written", arguments.output.string());
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += " " + name;
+  return list;
+}
+
+void print_files(const RelaxArguments& arguments, const std::vector<std::string>& removed,
+                 std::size_t frames) {
+  const std::string folder = arguments.output.string();
+  fmt::print("  {:<12}{}/:{}\n", "written", folder, listed(names_of_results(arguments)));
+  if (!removed.empty()) {
+    fmt::print("  {:<12}{}/:{}, of an earlier run\n", "removed", folder, listed(removed));
+  }
   if (!arguments.picture_file.empty()) {
     fmt::print("  {:<12}{}\n", "", arguments.picture_file.string());
   }
@@ -122,11 +134,12 @@ void print_summary(const RelaxArguments& arguments, const Start& start, const Re
   print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
   if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
   print_regions(result);
-  fmt::print("{}{}{}", describe(result.remesh), describe(result.quads),
-             describe(result.remesh_properties));
+  if (result.remesh) {
+    fmt::print("{}{}{}", describe(*result.remesh), describe(result.quads),
+               describe(result.remesh_properties));
+  }
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
   print_cost(start.seconds, result, cost);
-  print_files(arguments, result.relaxation.steps.size());
 }
 
 // A region of fewer nodes has hardly a neighbourhood for its seed to move in.
@@ -162,8 +175,10 @@ void check_checkpoint(const RelaxArguments& arguments) {
 Purpose purpose_of(const RelaxArguments& arguments) {
   Purpose purpose;
   purpose.engine = arguments.engine.kind;
+  purpose.has_remesh = arguments.makes_remesh();
   purpose.has_ground_truth =
-      arguments.ground_truth || arguments.remesh.vertices == RemeshVertices::centroids;
+      arguments.ground_truth ||
+      (purpose.has_remesh && arguments.remesh.vertices == RemeshVertices::centroids);
   if (!arguments.picture_file.empty() || !arguments.frames.empty()) {
     purpose.picture = arguments.picture;
   }
@@ -185,15 +200,17 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
                                             relaxation.seeds);
     cost.ground_truth_seconds = watch.seconds();
   }
+  if (!arguments.makes_remesh()) return result;
   progress.stage("making the remesh");
   const Stopwatch watch;
-  result.remesh = make_remesh(
-      {mesh, start.mesh_graph, relaxation.seeds, relaxation.partition, *ended.engine, scheduler},
-      {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
+  result.remesh = make_remesh({mesh, start.mesh_graph, relaxation.seeds, relaxation.partition,
+                               *ended.engine, scheduler, start.surface ? &*start.surface : nullptr},
+                              {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
   result.remesh_properties = carry_properties(mesh, start.input.loaded.properties, start.mesh_graph,
-                                              result.remesh, scheduler);
+                                              *result.remesh, scheduler);
   if (arguments.remesh.quads) {
-    result.quads = pair_triangles(result.remesh.mesh, find_edges(result.remesh.mesh, scheduler));
+    const Mesh& remesh = result.remesh->mesh;
+    result.quads = pair_triangles(remesh, find_edges(remesh, scheduler));
   }
   cost.remesh_seconds = watch.seconds();
   return result;
@@ -216,7 +233,10 @@ void run_relax(const RelaxArguments& arguments) {
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const Start start = prepare(arguments.start, purpose_of(arguments), scheduler, progress);
+  StartArguments wanted = arguments.start;
+  wanted.has_properties = wanted.has_properties &&
+                          (arguments.makes_remesh() || arguments.writes(RelaxOutput::tessellation));
+  const Start start = prepare(wanted, purpose_of(arguments), scheduler, progress);
   warn_of_few_nodes(start, progress);
   ResumableRelaxation relaxation(arguments, start);
   catch_interrupts();  // before the folder appears, which tells others that it is done
@@ -226,6 +246,7 @@ void run_relax(const RelaxArguments& arguments) {
   Cost cost;
   cost.relax_seconds = ended.seconds;
   Result result = judge(arguments, start, ended, cost, scheduler, progress);
+  ended.engine.reset();
   result.resumed = relaxation.resumed();
 
   result.interrupted = interrupted();  // from here on one changes nothing
@@ -235,12 +256,15 @@ void run_relax(const RelaxArguments& arguments) {
   const Stopwatch writing;
   result.regions = summarise_regions(start.mesh_graph.graph, result.relaxation.partition,
                                      result.relaxation.seeds, result.relaxation.region_score);
-  FileGroup files = open_results(arguments.output);
+  ResultFiles files(arguments);
   write_results(start, result, files, scheduler);
   cost.write_seconds = writing.seconds();
   cost.total_seconds = total.seconds();
   cost.peak_memory_bytes = peak_memory_bytes();
-  write_report(report_text(arguments, start, result, cost), files);
+  if (FileWriter* const report = files.find(RelaxOutput::report)) {
+    report->text(report_text(arguments, start, result, cost));
+  }
+  const std::vector<std::string> removed = files.commit();
   if (!result.interrupted) relaxation.forget();
   if (!arguments.picture_file.empty()) {  // whatever happens to it, the results are there
     progress.stage("drawing " + arguments.picture_file.string());
@@ -248,6 +272,7 @@ void run_relax(const RelaxArguments& arguments) {
   }
   progress.clear();
   print_summary(arguments, start, result, cost);
+  print_files(arguments, removed, result.relaxation.steps.size());
   if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
   if (result.interrupted) throw InterruptedExit{};
 }
@@ -265,6 +290,9 @@ void add_relax_command(CLI::App& program) {
                           "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
                           "report.json"))
       ->required();
+  add_choice_list(*command, "--only", arguments->only, relax_output_names,
+                  "Write only these of them, separated by commas, and leave out what\n"
+                  "only the others need. Those of an earlier run go");
   command->add_option("--picture", arguments->picture_file, "PNG file for a picture of the result")
       ->type_name("FILE");
   folder_name(command->add_option("--frames", arguments->frames,

@@ -24,7 +24,7 @@ namespace {
 // What the command line asks of a remesh, of one mesh.
 class Remesher {
  public:
-  Remesher(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded, Scheduler& scheduler,
+  Remesher(const SurfaceRemeshArguments& arguments, LoadedInput& loaded, Scheduler& scheduler,
            ProgressLine& progress)
       : arguments_(arguments),
         loaded_(loaded),
@@ -48,7 +48,7 @@ class Remesher {
     options_.edge_length = fineness.edge_length;
     options_.vertex_count = fineness.vertices;
     check_memory(about_how_many(loaded_, options_, scheduler_), result);
-    result.made = make();
+    result.made = time_last_remesh(loaded_, options_, make_engine_, scheduler_, progress_);
   }
 
  private:
@@ -62,7 +62,7 @@ class Remesher {
         [&](std::size_t vertices) {
           check_memory(vertices, result);
           options_.vertex_count = vertices;
-          return make();
+          return time_remesh(loaded_, options_, make_engine_, scheduler_, progress_);
         },
         scheduler_, progress_);
     result.made = std::move(found.best);
@@ -78,10 +78,8 @@ class Remesher {
     catch_interrupts();
   }
 
-  TimedRemesh make() { return time_remesh(loaded_, options_, make_engine_, scheduler_, progress_); }
-
   const SurfaceRemeshArguments& arguments_;
-  const LoadedInput& loaded_;
+  LoadedInput& loaded_;
   MakeSurfaceEngine make_engine_;
   Scheduler& scheduler_;
   ProgressLine& progress_;
@@ -106,7 +104,7 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const LoadedInput loaded = load_surface(
+  LoadedInput loaded = load_surface(
       arguments.mesh, scheduler, progress,
       {arguments.carries_properties || !arguments.features.labels.empty()}, arguments.repair);
   SurfaceRemeshResult result;

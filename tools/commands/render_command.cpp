@@ -89,6 +89,7 @@ class Renderer {
   void find_partition() {
     Purpose purpose;
     purpose.picture = arguments_.picture;
+    purpose.has_remesh = any([](PanelKind kind) { return kind == PanelKind::remesh; });
     purpose.has_ground_truth =
         any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
         arguments_.remesh.vertices == RemeshVertices::centroids;
@@ -102,7 +103,7 @@ class Renderer {
     if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
     const GraphRemesh remesh =
         make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
-                     *found_.engine, scheduler_},
+                     *found_.engine, scheduler_, start_.surface ? &*start_.surface : nullptr},
                     {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
     const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
     QuadPairs pairs;

@@ -52,9 +52,10 @@ std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
     check_count(count, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= batches; ++batch) {
       FirstSeeds first{count, batch, {}};
-      for (const NodeId s :
-           choose_first_seeds(mesh, edges.duplicates, made, components,
-                              {how.init, count, how.random_seed + batch - 1, {}}, runtime)) {
+      const FirstSeedOptions seeds{how.init, count, how.random_seed + batch - 1, {}};
+      const std::vector<SeedPlace> places =
+          find_first_places(mesh, edges.duplicates, made.graph.node_count(), seeds, runtime);
+      for (const NodeId s : choose_first_seeds(mesh, places, made, components, seeds, runtime)) {
         first.places.push_back(made.input_id[s]);
       }
       all.push_back(std::move(first));

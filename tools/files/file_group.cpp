@@ -12,8 +12,12 @@ FileGroup::FileGroup(const std::filesystem::path& folder, std::span<const char* 
   for (const char* name : names) files_.push_back(std::make_unique<FileWriter>(folder / name));
 }
 
-void FileGroup::commit() {
+void FileGroup::finish() {
   for (const auto& file : files_) file->finish();
+}
+
+void FileGroup::commit() {
+  finish();
   if (files_.size() > 1) remove_file(files_.back()->target());
   for (const auto& file : files_) file->commit();
 }

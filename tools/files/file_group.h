@@ -21,6 +21,9 @@ class FileGroup {
   /// Of the n-th name.
   FileWriter& operator[](std::size_t n) { return *files_[n]; }
 
+  /// Writes all there is to write, so that nothing but their appearing is left.
+  void finish();
+  /// Finishes, if that has not been done.
   void commit();
 
  private:

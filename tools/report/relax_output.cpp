@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -22,7 +23,19 @@ namespace {
 
 constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                     "remesh.ply", "report.json"};
-enum ResultFile { tessellation_file, seeds_file, regions_file, remesh_file, report_file };
+
+std::filesystem::path path_of(const RelaxArguments& arguments, RelaxOutput output) {
+  return arguments.output / relax_names[static_cast<std::size_t>(output)];
+}
+
+// In their order, wherever they were named.
+std::vector<std::filesystem::path> wanted_files(const RelaxArguments& arguments) {
+  std::vector<std::filesystem::path> paths;
+  for (const RelaxOutput output : values_of(relax_output_names)) {
+    if (arguments.writes(output)) paths.push_back(path_of(arguments, output));
+  }
+  return paths;
+}
 
 void write_seeds_csv(const MeshGraph& mesh_graph, std::span<const RegionSummary> regions,
                      FileWriter& out) {
@@ -51,7 +64,7 @@ void write_regions_csv(const MeshGraph& mesh_graph, const Partition& partition, 
 }
 
 void write_remesh(const Result& result, FileWriter& out) {
-  const Mesh& mesh = result.remesh.mesh;
+  const Mesh& mesh = result.remesh->mesh;
   if (result.quads) {
     write_faces_ply(out, mesh, result.quads->faces, result.remesh_properties);
   } else {
@@ -80,26 +93,73 @@ void prepare_output(const RelaxArguments& arguments) {
   }
 }
 
-FileGroup open_results(const std::filesystem::path& folder) {
-  return {folder, relax_names};
+std::vector<std::string> names_of_results(const RelaxArguments& arguments) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& path : wanted_files(arguments)) {
+    names.push_back(path.filename().string());
+  }
+  return names;
 }
 
-void write_results(const Start& start, const Result& result, FileGroup& files,
+ResultFiles::ResultFiles(const RelaxArguments& arguments)
+    : arguments_(arguments), files_(wanted_files(arguments)) {}
+
+FileWriter* ResultFiles::find(RelaxOutput output) {
+  if (!arguments_.writes(output)) return nullptr;
+  std::size_t place = 0;
+  for (const RelaxOutput other : values_of(relax_output_names)) {
+    if (other < output && arguments_.writes(other)) ++place;
+  }
+  return &files_[place];
+}
+
+// The last one first: without report.json the others are no whole result.
+std::vector<std::string> ResultFiles::commit() {
+  files_.finish();
+  std::vector<std::string> removed;
+  for (auto name = relax_output_names.rbegin(); name != relax_output_names.rend(); ++name) {
+    const std::filesystem::path path = path_of(arguments_, name->value);
+    std::error_code error;
+    if (arguments_.writes(name->value) || !std::filesystem::exists(path, error)) continue;
+    remove_file(path);
+    removed.insert(removed.begin(), path.filename().string());
+  }
+  files_.commit();
+  return removed;
+}
+
+void write_results(const Start& start, const Result& result, ResultFiles& files,
                    Scheduler& scheduler) {
   const MeshGraph& mesh_graph = start.mesh_graph;
   const Partition& partition = result.relaxation.partition;
-  const std::vector<Label> label = label_input_ids(mesh_graph, partition, result.regions.size());
-  const std::span<const Label> labels = label;
-  const std::size_t vertices = has_vertices(mesh_graph.kind) ? start.input.facts.vertices : 0;
+  const auto write_if_wanted = [&](RelaxOutput output, auto&& write) {
+    if (FileWriter* const file = files.find(output)) write(*file);
+  };
   parallel_invoke(
       scheduler,
       [&] {
-        write_labelled_ply(files[tessellation_file], start.input.mesh(), labels.first(vertices),
-                           labels.subspan(vertices), start.input.loaded.properties);
+        write_if_wanted(RelaxOutput::tessellation, [&](FileWriter& file) {
+          const std::vector<Label> label =
+              label_input_ids(mesh_graph, partition, result.regions.size());
+          const std::span<const Label> labels = label;
+          const std::size_t vertices =
+              has_vertices(mesh_graph.kind) ? start.input.facts.vertices : 0;
+          write_labelled_ply(file, start.input.mesh(), labels.first(vertices),
+                             labels.subspan(vertices), start.input.loaded.properties);
+        });
       },
-      [&] { write_regions_csv(mesh_graph, partition, files[regions_file]); },
-      [&] { write_remesh(result, files[remesh_file]); },
-      [&] { write_seeds_csv(mesh_graph, result.regions, files[seeds_file]); });
+      [&] {
+        write_if_wanted(RelaxOutput::regions,
+                        [&](FileWriter& file) { write_regions_csv(mesh_graph, partition, file); });
+      },
+      [&] {
+        write_if_wanted(RelaxOutput::remesh, [&](FileWriter& file) { write_remesh(result, file); });
+      },
+      [&] {
+        write_if_wanted(RelaxOutput::seeds, [&](FileWriter& file) {
+          write_seeds_csv(mesh_graph, result.regions, file);
+        });
+      });
 }
 
 void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
@@ -112,11 +172,6 @@ void write_picture(const std::filesystem::path& path, const PictureArguments& ar
                     picture.scene(), scheduler);
   const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
   picture.write(path, panels);
-}
-
-void write_report(const std::string& text, FileGroup& files) {
-  files[report_file].text(text);
-  files.commit();
 }
 
 }  // namespace geolloyd

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "parallel/threads/scheduler.h"
 #include "tools/files/file_group.h"
@@ -14,21 +15,35 @@ namespace geolloyd {
 /// first seeds. Throws Error.
 void prepare_output(const RelaxArguments& arguments);
 
-/// The files of the results. Those of another run stay until write_report.
-FileGroup open_results(const std::filesystem::path& folder);
+/// The names of the files that are wanted, in the order in which they appear.
+std::vector<std::string> names_of_results(const RelaxArguments& arguments);
+
+/// The files of the results that are wanted. Those of an earlier run stay until commit().
+class ResultFiles {
+ public:
+  explicit ResultFiles(const RelaxArguments& arguments);
+
+  /// Null: not wanted.
+  [[nodiscard]] FileWriter* find(RelaxOutput output);
+  /// They appear. Files of an earlier run that are not wanted now go: a folder has the files of one
+  /// run. Returns their names.
+  std::vector<std::string> commit();
+
+ private:
+  const RelaxArguments& arguments_;
+  FileGroup files_;
+};
 
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id. remesh.ply: a vertex per region, those of
 /// added seeds last.
-void write_results(const Start& start, const Result& result, FileGroup& files,
+/// Writes those of them that are wanted.
+void write_results(const Start& start, const Result& result, ResultFiles& files,
                    Scheduler& scheduler);
 
 /// The regions, in the colours of tessellation.ply.
 void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
                    const Start& start, const Relaxation& relaxation, Scheduler& scheduler);
-
-/// report.json, with which all of them appear. `text`: of report.h.
-void write_report(const std::string& text, FileGroup& files);
 
 }  // namespace geolloyd

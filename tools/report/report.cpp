@@ -97,9 +97,9 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   const RegionSpread areas = region_spread(result.regions);
   report["region_area"] = {
       {"deviation", areas.deviation}, {"smallest", areas.smallest}, {"largest", areas.largest}};
-  report["isoperimetric_ratio"] = {{"mean", result.remesh.roundness.mean},
-                                   {"min", result.remesh.roundness.min}};
-  report["remesh"] = remesh_part(result.remesh);
+  report["isoperimetric_ratio"] = {{"mean", result.remesh->roundness.mean},
+                                   {"min", result.remesh->roundness.min}};
+  report["remesh"] = remesh_part(*result.remesh);
   report["quads"] = quads_part(result.quads);
   report["properties"] = properties_part(result.remesh_properties);
   if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);

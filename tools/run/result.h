@@ -19,7 +19,7 @@ struct Result {
   std::size_t threads = 0;  ///< of the relaxation
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
-  GraphRemesh remesh;
+  std::optional<GraphRemesh> remesh;
   std::optional<QuadPairs> quads;  ///< of the remesh, if they were wanted
   Properties remesh_properties;
   std::vector<RegionSummary> regions;

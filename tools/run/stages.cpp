@@ -11,8 +11,11 @@
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
+#include "core/mesh/mesh_topology.h"
 #include "core/mesh/properties.h"
+#include "core/remesh/region_surface.h"
 #include "core/seeds/seed_file.h"
+#include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
 #include "core/text/file_io.h"
 #include "parallel/library/scheduler_runtime.h"
@@ -45,6 +48,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   size.has_cross_field = arguments.has_cross_field();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
+  size.has_remesh = purpose.has_remesh;
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
   const SeedInit init =
       purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
@@ -59,16 +63,42 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput
   return memory_to_run(size);
 }
 
+MeshGraphOptions graph_options(const GraphArguments& arguments, const LoadedInput& loaded,
+                               Executor& executor) {
+  return {arguments.kind, arguments.norm,
+          find_field(arguments, loaded.input.mesh(), loaded.edges, executor), arguments.averaging};
+}
+
+// Before the graph is made, whose memory is not taken yet. Meanwhile the edges give theirs back,
+// too: to find them again takes a twentieth of the time.
+std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
+                                         const MeshGraphOptions& graph, MeshEdges& edges,
+                                         Start& start, Scheduler& scheduler) {
+  const Mesh& mesh = start.input.mesh();
+  const std::size_t nodes = count_nodes(mesh, graph.kind, scheduler);
+  const FirstSeedOptions options{arguments.init, arguments.count, arguments.random_seed,
+                                 graph.vertex_space};
+  if (!arguments.file.empty() || !has_first_places(nodes, options)) return {};
+  const Stopwatch watch;
+  edges = {{}, {}, {}, std::move(edges.duplicates)};
+  SchedulerRuntime runtime(scheduler);
+  const std::vector<SeedPlace> places =
+      find_first_places(mesh, edges.duplicates, nodes, options, runtime);
+  start.seconds.seeds = watch.seconds();
+  edges = find_edges(mesh, scheduler);
+  return places;
+}
+
 // `text` is that of the seeds file, if there is one.
 std::vector<NodeId> first_seeds(const SeedArguments& arguments, const std::string& text,
-                                const Start& start, std::span<const TangentSpace> field,
-                                std::span<const TriangleId> duplicates,
-                                const Components& components, Scheduler& scheduler) {
+                                const Start& start, std::span<const SeedPlace> places,
+                                std::span<const TangentSpace> field, const Components& components,
+                                Scheduler& scheduler) {
   if (!arguments.file.empty()) {
     return parse_seeds(text, arguments.file.string(), start.mesh_graph, components);
   }
   SchedulerRuntime runtime(scheduler);
-  return choose_first_seeds(start.input.mesh(), duplicates, start.mesh_graph, components,
+  return choose_first_seeds(start.input.mesh(), places, start.mesh_graph, components,
                             {arguments.init, arguments.count, arguments.random_seed, field},
                             runtime);
 }
@@ -88,54 +118,53 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
   return read_tangent_field(arguments.vfield, mesh.vertex_count());
 }
 
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       std::size_t seeds, const Purpose& purpose, Scheduler& scheduler) {
-  BuiltGraph built;
-  built.memory_estimate = estimate_memory(arguments, loaded, seeds, purpose, scheduler);
-  announce_memory(loaded.input.file.string(), built.memory_estimate);
-  const Stopwatch watch;
-  const Mesh& mesh = loaded.input.mesh();
-  MeshGraphOptions options{arguments.kind, arguments.norm,
-                           find_field(arguments, mesh, loaded.edges, scheduler),
-                           arguments.averaging};
-  built.mesh_graph = make_mesh_graph(mesh, loaded.edges, options, scheduler);
-  built.field = std::move(options.vertex_space);
-  built.seconds = watch.seconds();
-  return built;
+MeshGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
+                      const Purpose& purpose, Scheduler& scheduler) {
+  announce_memory(loaded.input.file.string(),
+                  estimate_memory(arguments, loaded, 1, purpose, scheduler));
+  return make_mesh_graph(loaded.input.mesh(), loaded.edges,
+                         graph_options(arguments, loaded, scheduler), scheduler);
 }
 
+// What takes memory gives it back as soon as nothing needs it: most of the edges before the places
+// of seeds are found, and these before there is a graph.
 Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
               ProgressLine& progress) {
-  if (arguments.seeds.file.empty()) purpose.init = arguments.seeds.init;
+  const SeedArguments& seeds = arguments.seeds;
+  const GraphKind kind = arguments.graph.kind;
+  if (seeds.file.empty()) purpose.init = seeds.init;
   Start start;
-  std::string seeds_text;
-  std::vector<TriangleId> duplicates;
-  std::vector<TangentSpace> field;
   progress.stage("reading " + arguments.mesh.string());
-  {
-    LoadedInput loaded =
-        load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
-    const SeedArguments& seeds = arguments.seeds;
-    if (!seeds.file.empty()) seeds_text = read_file(seeds.file);
-    progress.stage("building the " + name_of(graph_kind_names, arguments.graph.kind) + " graph");
-    BuiltGraph built =
-        build_graph(arguments.graph, loaded,
-                    seeds.file.empty() ? seeds.count : most_seeds(seeds_text), purpose, scheduler);
-    start.input = std::move(loaded.input);
-    start.mesh_graph = std::move(built.mesh_graph);
-    field = std::move(built.field);
-    duplicates = std::move(loaded.edges.duplicates);
-    start.memory_estimate = built.memory_estimate;
-    start.seconds.load = loaded.seconds;
-    start.seconds.graph = loaded.edge_seconds + built.seconds;
+  LoadedInput loaded =
+      load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
+  const std::string seeds_text = seeds.file.empty() ? "" : read_file(seeds.file);
+  start.memory_estimate = estimate_memory(arguments.graph, loaded,
+                                          seeds.file.empty() ? seeds.count : most_seeds(seeds_text),
+                                          purpose, scheduler);
+  announce_memory(loaded.input.file.string(), start.memory_estimate);
+
+  progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
+  const Stopwatch whole;
+  if (purpose.has_remesh && !has_triangles(kind)) {
+    start.surface = {find_topology(loaded.input.mesh(), loaded.edges, scheduler),
+                     irregular_edges(loaded.edges)};
   }
+  MeshGraphOptions options = graph_options(arguments.graph, loaded, scheduler);
+  start.input = std::move(loaded.input);
+  MeshEdges edges = std::move(loaded.edges);
+  const std::vector<SeedPlace> places = find_first_places(seeds, options, edges, start, scheduler);
+  keep_for_arcs(edges, kind);
+  start.mesh_graph = make_mesh_graph(start.input.mesh(), std::move(edges), options, scheduler);
+  start.seconds.load = loaded.seconds;
+  start.seconds.graph = loaded.edge_seconds + whole.seconds() - start.seconds.seeds;
+
   progress.stage("choosing seeds");
-  const Stopwatch watch;
+  const Stopwatch choosing;
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
   start.seeds =
-      first_seeds(arguments.seeds, seeds_text, start, field, duplicates, components, scheduler);
-  start.seconds.seeds = watch.seconds();
+      first_seeds(seeds, seeds_text, start, places, options.vertex_space, components, scheduler);
+  start.seconds.seeds += choosing.seconds();
   return start;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
+#include "core/remesh/remesh.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/evaluation/ground_truth.h"
@@ -26,30 +27,26 @@ struct Purpose {
   bool has_ground_truth = false;            ///< of the result or of the remesh
   std::optional<PictureArguments> picture;  ///< empty: none is drawn
   SeedInit init = SeedInit::farthest;       ///< prepare() knows
+  bool has_remesh = false;                  ///< its dual is made
 };
 
 /// The tangent field that is asked for: none, that of a file, or the surface's own.
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor);
 
-/// A graph of a mesh.
-struct BuiltGraph {
-  MeshGraph mesh_graph;
-  std::vector<TangentSpace> field;    ///< that it was made with; empty: none
-  std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
-  double seconds = 0;                 ///< to build it
-};
-
-/// Throws InvalidInput where the whole run, with so many seeds at first, needs more memory than
-/// there is.
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       std::size_t seeds, const Purpose& purpose, Scheduler& scheduler);
+/// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
+/// needs more memory than there is, whatever the number of seeds.
+MeshGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
+                      const Purpose& purpose, Scheduler& scheduler);
 
 /// All that there is before a relaxation begins.
 struct Start {
   Input input;
   MeshGraph mesh_graph;
   std::size_t components = 0;  ///< of the graph
+  /// Of a graph of vertices whose dual is made. Where triangles are nodes, all edges would have to
+  /// be kept.
+  std::optional<InputSurface> surface;
   std::vector<NodeId> seeds;
   std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
 
@@ -60,7 +57,8 @@ struct Start {
   } seconds;
 };
 
-/// Reads the mesh, builds its graph, and chooses or reads the first seeds.
+/// Reads the mesh, builds its graph, and chooses or reads the first seeds. Throws InvalidInput
+/// where the whole run needs more memory than there is.
 Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
               ProgressLine& progress);
 

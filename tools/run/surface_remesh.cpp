@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/loops.h"
 #include "core/base/stopwatch.h"
@@ -107,6 +108,27 @@ std::optional<EdgeLengthRatios> measure_ratios(const SurfaceRemesh& remesh, cons
   return summarised(std::move(ratio));
 }
 
+// make(options) makes a remesh.
+template <class Make>
+TimedRemesh timed(Make&& make, SurfaceRemeshOptions options, ProgressLine& progress) {
+  progress.stage("preparing the surface");
+  const Stopwatch start;
+  std::optional<Stopwatch> first_move;
+  Stopwatch last_move;
+  options.progress = [&](const SurfaceRemeshProgress& p) {
+    last_move = Stopwatch();
+    if (!first_move) first_move = last_move;
+    progress.show(p);
+    return !interrupted();
+  };
+  TimedRemesh timed;
+  timed.remesh = make(options);
+  timed.seconds.prepare = first_move.value_or(last_move).since(start);
+  timed.seconds.move = last_move.since(first_move.value_or(last_move));
+  timed.seconds.assemble = last_move.seconds();
+  return timed;
+}
+
 }  // namespace
 
 MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler) {
@@ -200,23 +222,20 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
 TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress) {
-  progress.stage("preparing the surface");
-  const Stopwatch start;
-  std::optional<Stopwatch> first_move;
-  Stopwatch last_move;
-  options.progress = [&](const SurfaceRemeshProgress& p) {
-    last_move = Stopwatch();
-    if (!first_move) first_move = last_move;
-    progress.show(p);
-    return !interrupted();
+  const auto make = [&](const SurfaceRemeshOptions& observed) {
+    return make_surface_remesh(loaded.input.mesh(), loaded.edges, observed, make_engine, scheduler);
   };
-  TimedRemesh timed;
-  timed.remesh =
-      make_surface_remesh(loaded.input.mesh(), loaded.edges, options, make_engine, scheduler);
-  timed.seconds.prepare = first_move.value_or(last_move).since(start);
-  timed.seconds.move = last_move.since(first_move.value_or(last_move));
-  timed.seconds.assemble = last_move.seconds();
-  return timed;
+  return timed(make, std::move(options), progress);
+}
+
+TimedRemesh time_last_remesh(LoadedInput& loaded, SurfaceRemeshOptions options,
+                             const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
+                             ProgressLine& progress) {
+  const auto make = [&](const SurfaceRemeshOptions& observed) {
+    return make_surface_remesh(loaded.input.mesh(), std::move(loaded.edges), observed, make_engine,
+                               scheduler);
+  };
+  return timed(make, std::move(options), progress);
 }
 
 RemeshFigures judge_remesh(const LoadedInput& loaded, const SurfaceRemesh& remesh,

@@ -59,6 +59,11 @@ TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,
                         const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
                         ProgressLine& progress);
 
+/// The same. `loaded` gives most of its edges back: no further remesh is made from it.
+TimedRemesh time_last_remesh(LoadedInput& loaded, SurfaceRemeshOptions options,
+                             const MakeSurfaceEngine& make_engine, Scheduler& scheduler,
+                             ProgressLine& progress);
+
 /// What a remesh is judged by.
 struct RemeshFigures {
   MeshQuality quality;

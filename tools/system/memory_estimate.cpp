@@ -49,53 +49,57 @@ Bytes graph_bytes(const RunSize& s) {
   return 4 * (s.vertices + s.triangles) + 36 * s.nodes + 16 * s.links;
 }
 
-// Links, what they become, and what is on the way: places in spatial order, counts, masses, the
-// breadth-first tree.
+// Links; rows of them, which become arcs; and places in spatial order, counts, masses, the
+// breadth-first tree. Edges go when links are there.
 Bytes building_graph(const RunSize& s) {
   const Bytes spaces = s.has_field ? 64 * (s.vertices + s.triangles) : 0;  // TangentSpace
   // Before that, normals, axes, tensors, and how a tensor passes along each edge, either way.
   const Bytes curvature = s.has_curvature_field ? 140 * s.vertices + 56 * s.edges : 0;
   // For crosses, after that, what a vertex sees of its neighbours, on all levels.
   const Bytes crosses = s.has_cross_field ? 340 * s.vertices + 180 * s.edges : 0;
-  const Bytes graph = graph_bytes(s) + 45 * s.nodes + 40 * s.links;
-  return edge_bytes(s.edges, s.triangles) + std::max({graph, curvature, crosses}) + spaces;
+  const Bytes nodes = 4 * (s.vertices + s.triangles) + 80 * s.nodes;
+  const Bytes with_edges = edge_bytes(s.edges, s.triangles) + nodes + 20 * s.links;
+  return spaces + std::max({with_edges, nodes + 36 * s.links,
+                            edge_bytes(s.edges, s.triangles) + std::max(curvature, crosses)});
 }
 
-// Keys, parents, sums, what a node belongs to; and a copy of the partition in the result.
+// Keys, parents, what a node belongs to, sums of the greedy phase; and a copy of the partition in
+// the result.
 Bytes engine_bytes(const RunSize& s) {
   if (s.is_reference) return 80 * s.nodes;
   // Each thread has a copy of the region it works on: with few seeds, of much of the graph. On a
   // large region all work together, with keys and buckets for it.
   const Bytes at_work = 2 * std::min<Bytes>(s.threads, s.seeds);
   const Bytes copies = 160 * s.nodes + 16 * s.links;
-  return 64 * s.nodes + (at_work < s.seeds ? copies / s.seeds * at_work : copies) +
+  return 56 * s.nodes + (at_work < s.seeds ? copies / s.seeds * at_work : copies) +
          100 * s.nodes / std::max<Bytes>(s.seeds, 1);
 }
 
-// Measured: 280 to 310 bytes for a vertex of the surface, with coarse meshes, labels and dual.
+// Measured: 210 to 270 bytes for a vertex of the surface, with coarse meshes, labels and dual.
 constexpr Bytes moving_sites(Bytes fine_vertices) {
-  return 320 * fine_vertices;
+  return 280 * fine_vertices;
 }
 
-// Components, samplers, keys; and sites on a surface, or an engine and the arcs of a coarse graph.
+// Components, samplers, keys; or an engine and the arcs of a coarse graph.
 Bytes choosing_seeds(const RunSize& s) {
-  const Bytes coarse = s.has_coarse_graph ? engine_bytes(s) + 24 * s.links : 0;
-  return 52 * s.nodes + std::max(moving_sites(s.fine_vertices), coarse);
+  return 84 * s.nodes + (s.has_coarse_graph ? engine_bytes(s) + 24 * s.links : 0);
 }
 
 Bytes points(const RunSize& s) {
   return s.vertices + (s.has_triangle_nodes ? s.triangles : 0);
 }
 
-// RegionSurface: three triangles for one where barycentres are points.
+// RegionSurface: three triangles for one where barycentres are points, else those of the mesh.
 Bytes surface_bytes(const RunSize& s) {
-  return 12 * s.triangles * (s.has_triangle_nodes ? 3 : 1) + 16 * points(s);
+  return 12 * s.triangles * (s.has_triangle_nodes ? 3 : 0) + 16 * points(s);
 }
 
-// The edges again; the regions spread over the surface, as they are and, while seeds are added, as
-// they were and will be; what joins their points.
+// The regions spread over the surface, as they are and, while seeds are added, as they were and
+// will be; what joins their points. Where triangles are nodes, the edges again.
 Bytes making_remesh(const RunSize& s) {
-  return edge_bytes(s.edges, s.triangles) + 3 * surface_bytes(s) + 30 * points(s);
+  if (!s.has_remesh) return 0;
+  const Bytes edges = s.has_triangle_nodes ? edge_bytes(s.edges, s.triangles) : 0;
+  return edges + 3 * surface_bytes(s) + 30 * points(s);
 }
 
 // For the result, or for the vertices of the remesh.
@@ -140,8 +144,8 @@ std::uint64_t memory_to_repair(std::uint64_t vertices, std::uint64_t triangles) 
 
 Bytes memory_to_run(const RunSize& s) {
   const Bytes relaxing = graph_bytes(s) + engine_bytes(s);
-  Bytes most = std::max(
-      {building_graph(s), graph_bytes(s) + choosing_seeds(s), relaxing + making_remesh(s)});
+  Bytes most = std::max({moving_sites(s.fine_vertices), building_graph(s),
+                         graph_bytes(s) + choosing_seeds(s), relaxing + making_remesh(s)});
   if (s.has_ground_truth) {
     most = std::max(most, relaxing + finding_ground_truth(s));
   }
@@ -173,7 +177,6 @@ Bytes memory_to_remesh(const RemeshSize& s) {
   return std::max(memory_to_check(s.vertices, s.triangles, s.property_bytes),
                   base + s.threads * per_thread +
                       with_gaps(mesh_bytes(s.vertices, s.triangles) + s.property_bytes +
-                                edge_bytes(s.edges, s.triangles) +
                                 std::max({moving, judging, picture, carried})));
 }
 

@@ -1,6 +1,7 @@
 #include "tools/system/memory_limit.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -80,6 +81,12 @@ void limit_data() {
 }
 
 }  // namespace
+
+// What is smaller comes and goes too often for that.
+void return_freed_memory() {
+  constexpr int large_array = 1 << 22;
+  mallopt(M_MMAP_THRESHOLD, large_array);
+}
 
 void limit_memory(std::uint64_t bytes) {
   limit = bytes;

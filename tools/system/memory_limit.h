@@ -10,6 +10,10 @@ namespace geolloyd {
 // ends a program that then uses it: so what cannot fit is refused before the work, and what was
 // not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
 
+/// Has arrays of large meshes go back to the system as soon as they are freed. The allocator would
+/// keep holes instead, which the next arrays do not fit into.
+void return_freed_memory();
+
 /// Limits this process from now on, instead of any earlier limit.
 void limit_memory(std::uint64_t bytes);
 

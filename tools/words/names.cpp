@@ -84,6 +84,14 @@ const std::vector<Named<Phase>> phase_names = {
     {"improvement", Phase::improvement},
 };
 
+const std::vector<Named<RelaxOutput>> relax_output_names = {
+    {"tessellation", RelaxOutput::tessellation},
+    {"seeds", RelaxOutput::seeds},
+    {"regions", RelaxOutput::regions},
+    {"remesh", RelaxOutput::remesh},
+    {"report", RelaxOutput::report},
+};
+
 const std::vector<Named<RemeshVertices>> remesh_vertices_names = {
     {"seeds", RemeshVertices::seeds},
     {"centroids", RemeshVertices::centroids},

@@ -39,6 +39,10 @@ extern const std::vector<Named<double KernelSeconds::*>> kernel_names;
 enum class EngineKind { parallel, reference };
 extern const std::vector<Named<EngineKind>> engine_names;
 
+/// The files of a result of `relax`, in the order in which they appear.
+enum class RelaxOutput { tessellation, seeds, regions, remesh, report };
+extern const std::vector<Named<RelaxOutput>> relax_output_names;
+
 /// Where the vertices of a remesh are that are not on the boundary.
 enum class RemeshVertices {
   seeds,
