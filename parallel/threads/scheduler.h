@@ -12,7 +12,7 @@ namespace geolloyd {
 
 /// The threads of this machine as an executor. The results of a stage never depend on the number of
 /// threads, on the backend, or on who did what.
-class Scheduler final : public Executor {
+class Scheduler : public Executor {
  public:
   /// `threads` 0: as many as can run at once (available_cores.h). More are allowed, and slower.
   explicit Scheduler(std::size_t threads = 0, Backend backend = Backend::tbb);
