@@ -90,7 +90,10 @@ void print_relaxations(Table& table, OneByOne& threads, const Mesh& mesh, const 
   const Components components =
       table.row("components", [&] { return connected_components(graph); });
   const auto choose = [&](SeedInit init, std::size_t count) {
-    return choose_first_seeds(mesh, edges.duplicates, made, components, {init, count}, runtime);
+    const FirstSeedOptions options{init, count};
+    const std::vector<SeedPlace> places =
+        find_first_places(mesh, edges.duplicates, graph.node_count(), options, runtime);
+    return choose_first_seeds(mesh, places, made, components, options, runtime);
   };
   table.row("seeds, farthest", [&] { return choose(SeedInit::farthest, seeds); });
   table.row("seeds, coarse, 16", [&] { return choose(SeedInit::coarse, 16); });
