@@ -20,6 +20,10 @@ class Scheduler : public Executor {
 
   void run(std::size_t workers, const std::function<void(std::size_t worker)>& work) override;
 
+  /// The same for long works that have schedulers of their own, with the same backend. With oneTBB
+  /// a thread that has no work left helps the others in their loops.
+  void run_apart(std::size_t workers, const std::function<void(std::size_t worker)>& work);
+
  private:
   Backend backend_;
   TbbPoolPointer tbb_;  // null where not used

@@ -38,6 +38,28 @@ TEST_P(SchedulerTest, CallsEachWorkerOnce) {
   }
 }
 
+TEST_P(SchedulerTest, WorksApartHaveLoopsOfTheirOwn) {
+  for (int turn = 0; turn < 20; ++turn) {
+    std::vector<std::uint64_t> sums(scheduler_.threads(), 0);
+    scheduler_.run_apart(scheduler_.threads(), [&](std::size_t worker) {
+      Scheduler own(GetParam().threads, GetParam().backend);
+      for (int loop = 0; loop < 5; ++loop) {
+        sums[worker] += parallel_reduce<std::uint64_t>(
+            own, 1000, 10, [](std::size_t begin, std::size_t end) { return end - begin; });
+      }
+    });
+    EXPECT_EQ(sums, std::vector<std::uint64_t>(scheduler_.threads(), 5000));
+  }
+}
+
+TEST_P(SchedulerTest, AnExceptionOfAWorkApartReachesTheCaller) {
+  EXPECT_THROW(scheduler_.run_apart(scheduler_.threads(),
+                                    [](std::size_t worker) {
+                                      if (worker == 0) throw std::runtime_error("expected");
+                                    }),
+               std::runtime_error);
+}
+
 TEST_P(SchedulerTest, RangesCoverEverythingOnce) {
   for (const std::size_t count : {0U, 1U, 7U, 64U, 1000U}) {
     std::vector<int> visits(count, 0);
