@@ -13,7 +13,7 @@
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
 #include "tools/files/csv.h"
-#include "tools/run/mesh_queue.h"
+#include "tools/run/work_queue.h"
 
 namespace geolloyd {
 namespace {
@@ -158,16 +158,16 @@ TEST_F(RemeshingAll, EndsInGoodOrder) {
 }
 
 // Works that hold memory, and ask for more than they were thought to.
-TEST(MeshQueue, NeverHoldsMoreThanIsAllowed) {
+TEST(WorkQueue, NeverHoldsMoreThanIsAllowed) {
   constexpr std::uint64_t allowed = 100;
   for (const std::size_t threads : {1U, 2U, 5U}) {
     Scheduler scheduler(threads);
-    std::vector<QueuedMesh> meshes;
+    std::vector<QueuedWork> meshes;
     for (std::uint64_t i = 0; i < 40; ++i) meshes.push_back({i, 1 + i * 7 % 60});
     meshes.push_back({1000, 5000});
     std::vector<std::atomic<int>> done(meshes.size());
     std::atomic<std::uint64_t> held = 0;
-    MeshQueue queue(meshes, allowed, scheduler);
+    WorkQueue queue(meshes, allowed, scheduler);
     queue.run([&](std::size_t mesh, MemoryShare& share) {
       const std::uint64_t needed = mesh % 3 == 0 ? 90 : 10 + mesh % 40;
       share.become(needed);
@@ -180,17 +180,17 @@ TEST(MeshQueue, NeverHoldsMoreThanIsAllowed) {
   }
 }
 
-TEST(MeshQueue, BeginsWithTheMostWork) {
+TEST(WorkQueue, BeginsWithTheMostWork) {
   Scheduler scheduler(1);
   std::vector<std::size_t> order;
-  MeshQueue queue({{3, 0}, {9, 0}, {5, 0}, {9, 0}}, 1, scheduler);
+  WorkQueue queue({{3, 0}, {9, 0}, {5, 0}, {9, 0}}, 1, scheduler);
   queue.run([&](std::size_t mesh, MemoryShare&) { order.push_back(mesh); });
   EXPECT_EQ(order, (std::vector<std::size_t>{1, 3, 2, 0}));
 }
 
-TEST(MeshQueue, EndsWithTheErrorOfAWork) {
+TEST(WorkQueue, EndsWithTheErrorOfAWork) {
   Scheduler scheduler(2);
-  MeshQueue queue(std::vector<QueuedMesh>(10), 1, scheduler);
+  WorkQueue queue(std::vector<QueuedWork>(10), 1, scheduler);
   EXPECT_THROW(queue.run([](std::size_t, MemoryShare&) { throw std::runtime_error("expected"); }),
                std::runtime_error);
 }

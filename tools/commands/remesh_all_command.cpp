@@ -26,9 +26,9 @@
 #include "tools/files/output_folder.h"
 #include "tools/report/remesh_all_output.h"
 #include "tools/report/surface_remesh_output.h"
-#include "tools/run/mesh_queue.h"
 #include "tools/run/stages.h"
 #include "tools/run/surface_remesh_run.h"
+#include "tools/run/work_queue.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -126,7 +126,7 @@ std::uint64_t size_of(const fs::path& file) {
 
 // What is known before the mesh is read. Measured: a vertex of the remesh takes about as long as
 // 3000 bytes of the input, binary PLY, and the least that a triangle has are 18 of them.
-QueuedMesh to_be_queued(const RemeshTask& task, std::size_t vertices) {
+QueuedWork to_be_queued(const RemeshTask& task, std::size_t vertices) {
   constexpr std::uint64_t bytes_per_vertex = 3000;
   constexpr std::uint64_t bytes_per_triangle = 18;
   const std::uint64_t bytes = size_of(task.input);
@@ -154,7 +154,7 @@ class RemeshingAll {
 
   const RemeshRecord& run() {
     record_.save(true);
-    MeshQueue queue(queued_, allowed_memory(), scheduler_);
+    WorkQueue queue(queued_, allowed_memory(), scheduler_);
     queue.run([&](std::size_t task, MemoryShare& share) {
       begin(task);
       remesh(task, share);
@@ -236,7 +236,7 @@ class RemeshingAll {
   const std::vector<RemeshTask>& tasks_;
   Scheduler scheduler_;
   RemeshRecord record_;
-  std::vector<QueuedMesh> queued_;
+  std::vector<QueuedWork> queued_;
   std::mutex mutex_;  // of both that follow
   std::set<std::size_t> at_work_;
   ProgressLine progress_;

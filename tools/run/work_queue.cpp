@@ -1,4 +1,4 @@
-#include "tools/run/mesh_queue.h"
+#include "tools/run/work_queue.h"
 
 #include <algorithm>
 #include <numeric>
@@ -25,19 +25,19 @@ bool MemoryShare::is_everything() const {
   return bytes_ == queue_.memory_;
 }
 
-MeshQueue::MeshQueue(std::vector<QueuedMesh> meshes, std::uint64_t memory_bytes,
+WorkQueue::WorkQueue(std::vector<QueuedWork> works, std::uint64_t memory_bytes,
                      Scheduler& scheduler)
-    : meshes_(std::move(meshes)), memory_(memory_bytes), scheduler_(scheduler) {
-  std::vector<std::size_t> order(meshes_.size());
+    : works_(std::move(works)), memory_(memory_bytes), scheduler_(scheduler) {
+  std::vector<std::size_t> order(works_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return meshes_[a].work > meshes_[b].work; });
+                   [&](std::size_t a, std::size_t b) { return works_[a].work > works_[b].work; });
   waiting_.assign(order.begin(), order.end());
 }
 
-// A thread that finds no mesh small enough for the memory left ends its part of the round, and
+// A thread that finds no work small enough for the memory left ends its part of the round, and
 // helps others meanwhile. They then end theirs, too, so that all can begin anew.
-void MeshQueue::run(const Work& work) {
+void WorkQueue::run(const Work& work) {
   while (!waiting_.empty() && !interrupted()) {
     ends_round_ = false;
     scheduler_.run_apart(std::min(scheduler_.threads(), waiting_.size()),
@@ -45,13 +45,13 @@ void MeshQueue::run(const Work& work) {
   }
 }
 
-void MeshQueue::serve(const Work& work) {
-  while (const std::optional<std::size_t> mesh = take()) {
-    MemoryShare share(*this, meshes_[*mesh].memory_bytes);
+void WorkQueue::serve(const Work& work) {
+  while (const std::optional<std::size_t> n = take()) {
+    MemoryShare share(*this, works_[*n].memory_bytes);
     try {
-      work(*mesh, share);
+      work(*n, share);
     } catch (const TooLittleMemory& needed) {
-      put_back(*mesh, needed.bytes);
+      put_back(*n, needed.bytes);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       waiting_.clear();
@@ -60,11 +60,11 @@ void MeshQueue::serve(const Work& work) {
   }
 }
 
-std::optional<std::size_t> MeshQueue::take() {
+std::optional<std::size_t> WorkQueue::take() {
   const std::lock_guard lock(mutex_);
   if (waiting_.empty() || ends_round_ || interrupted()) return std::nullopt;
-  const auto fits = [&](std::size_t mesh) {
-    std::uint64_t& bytes = meshes_[mesh].memory_bytes;
+  const auto fits = [&](std::size_t n) {
+    std::uint64_t& bytes = works_[n].memory_bytes;
     bytes = std::min(bytes, memory_);
     return bytes <= memory_ - held_;
   };
@@ -73,16 +73,16 @@ std::optional<std::size_t> MeshQueue::take() {
     ends_round_ = true;
     return std::nullopt;
   }
-  const std::size_t mesh = *place;
+  const std::size_t n = *place;
   waiting_.erase(place);
-  held_ += meshes_[mesh].memory_bytes;
-  return mesh;
+  held_ += works_[n].memory_bytes;
+  return n;
 }
 
-void MeshQueue::put_back(std::size_t mesh, std::uint64_t bytes) {
+void WorkQueue::put_back(std::size_t n, std::uint64_t bytes) {
   const std::lock_guard lock(mutex_);
-  meshes_[mesh].memory_bytes = bytes;
-  waiting_.push_front(mesh);
+  works_[n].memory_bytes = bytes;
+  waiting_.push_front(n);
 }
 
 }  // namespace geolloyd
