@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/measure.h"

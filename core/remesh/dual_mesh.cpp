@@ -36,8 +36,14 @@ struct Corner {
 // How two regions meet: the ends are corners, and places on the boundary.
 struct Contact {
   Pair regions{};  // ascending
-  std::size_t ends = 0;
-  std::size_t outer_ends = 0;
+  std::uint32_t ends = 0;
+  std::uint32_t outer_ends = 0;
+
+  Contact& operator+=(const Contact& other) {
+    ends += other.ends;
+    outer_ends += other.outer_ends;
+    return *this;
+  }
 
   // A curve with two ends; it comes to the boundary with at most one.
   [[nodiscard]] bool is_simple() const { return ends == 2 && outer_ends <= 1; }
@@ -90,8 +96,17 @@ class DualBuilder {
       if (a == b) {
         shapes_[a].doubled_euler -= 1;
       } else {
-        contacts_.push_back({ascending(a, b), is_corner ? 1U : 0U, 0});
+        add_contact({ascending(a, b), is_corner ? 1U : 0U, 0});
       }
+    }
+  }
+
+  // Most triangles come after another at the same border.
+  void add_contact(const Contact& contact) {
+    if (contacts_.empty() || contacts_.back().regions != contact.regions) {
+      contacts_.push_back(contact);
+    } else {
+      contacts_.back() += contact;
     }
   }
 
@@ -110,7 +125,7 @@ class DualBuilder {
         shapes_[a].doubled_euler -= missing;
         if (edge.triangles == 1) shapes_[a].doubled_outer_euler -= 2;
       } else if (edge.triangles == 1) {
-        contacts_.push_back({ascending(a, b), 1, 1});
+        add_contact({ascending(a, b), 1, 1});
       }
     }
     std::sort(outer.begin(), outer.end());
@@ -128,8 +143,7 @@ class DualBuilder {
       if (kept == 0 || contacts_[kept - 1].regions != contact.regions) {
         contacts_[kept++] = contact;
       } else {
-        contacts_[kept - 1].ends += contact.ends;
-        contacts_[kept - 1].outer_ends += contact.outer_ends;
+        contacts_[kept - 1] += contact;
       }
     }
     contacts_.resize(kept);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <set>
+#include <map>
 #include <span>
 #include <tuple>
 
@@ -77,7 +78,7 @@ class PlaceRepair {
     std::vector<std::array<double, 3>> keys;
     for (const Vec3& p : place_) keys.push_back(as_key(p));
     std::sort(keys.begin(), keys.end());
-    taken_ = {keys.begin(), keys.end()};
+    for (const auto& key : keys) ++taken_.emplace_hint(taken_.end(), key, 0)->second;
     for (std::uint32_t t = 0; t < dual_.triangles.size(); ++t) {
       for (const RegionId r : dual_.triangles[t]) triangles_at_.emplace_back(r, t);
     }
@@ -92,7 +93,7 @@ class PlaceRepair {
     return found;
   }
 
-  [[nodiscard]] bool is_shared(const Vec3& p) const { return taken_.count(as_key(p)) > 1; }
+  [[nodiscard]] bool is_shared(const Vec3& p) const { return taken_.at(as_key(p)) > 1; }
 
   [[nodiscard]] bool is_all_outer(std::size_t t) const {
     const Triangle& regions = dual_.triangles[t];
@@ -120,9 +121,17 @@ class PlaceRepair {
     return flaws;
   }
 
+  // Around a vertex of very many triangles, as where all regions meet at a hub of the mesh, each of
+  // them would try all places, and look at all triangles for each.
+  [[nodiscard]] bool can_move(RegionId r) const {
+    constexpr std::size_t most_triangles = 256;
+    return of_region(triangles_at_, r).size() <= most_triangles;
+  }
+
   void put(RegionId r, const Vec3& p) {
-    taken_.erase(taken_.find(as_key(place_[r])));
-    taken_.insert(as_key(p));
+    const auto old = taken_.find(as_key(place_[r]));
+    if (--old->second == 0) taken_.erase(old);
+    ++taken_[as_key(p)];
     place_[r] = p;
   }
 
@@ -138,8 +147,11 @@ class PlaceRepair {
   }
 
   // Moves one of the vertices to where fewer flaws are left by it, if there is such a place.
-  bool move_one_of(std::span<const RegionId> regions) {
+  bool move_one_of(std::span<const RegionId> all) {
     PlaceMove best;
+    std::vector<RegionId> regions;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(regions),
+                 [this](RegionId r) { return can_move(r); });
     for (const RegionId r : regions) {
       try_move(r, choices_.site[r], best);
       for (const auto& [region, v] : of_region(choices_.boundary, r)) {
@@ -175,9 +187,9 @@ class PlaceRepair {
   const DualMesh& dual_;
   const PlaceChoices& choices_;
   std::vector<Vec3>& place_;
-  std::multiset<std::array<double, 3>> taken_;
-  std::vector<OfRegion> triangles_at_;  // ascending
-  std::vector<OfRegion> points_;        // ascending; found when first asked for
+  std::map<std::array<double, 3>, std::size_t> taken_;  // by how many vertices
+  std::vector<OfRegion> triangles_at_;                  // ascending
+  std::vector<OfRegion> points_;                        // ascending; found when first asked for
 };
 
 }  // namespace

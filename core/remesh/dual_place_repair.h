@@ -23,7 +23,8 @@ struct PlaceChoices {
 /// the region. A flaw is a triangle that is turned over, or lower than a hundredth of its longest
 /// edge, or a place of several vertices; no low triangle is mended by one that is turned over or
 /// without area. A triangle starts a move if all its vertices are on the
-/// boundary, or if they are in one line. Vertices at turns of the boundary move last.
+/// boundary, or if they are in one line. Vertices at turns of the boundary move last. Vertices of
+/// more than 256 triangles stay.
 void repair_places(const Mesh& mesh, const RegionSurface& surface, const DualMesh& dual,
                    const PlaceChoices& choices, std::vector<Vec3>& place);
 

@@ -16,7 +16,13 @@ namespace {
 
 Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
                             const RegionSurface& surface) {
-  const std::vector<double> perimeter = border_lengths(input.mesh, surface);
+  std::vector<double> perimeter;
+  double area = 0;
+  parallel_invoke(
+      input.executor, [&] { perimeter = border_lengths(input.mesh, surface); },
+      [&] {
+        for (const double a : triangle_areas(input.mesh, edges.duplicates)) area += a;
+      });
   const Graph& graph = input.mesh_graph.graph;
   const std::vector<Key>& key = input.partition.key;
   std::vector<double> mass(perimeter.size(), 0);
@@ -26,8 +32,6 @@ Roundness measure_roundness(const RemeshInput& input, const MeshEdges& edges,
     mass[region_of(key[v])] += graph.mass[v];
     total_mass += graph.mass[v];
   }
-  double area = 0;
-  for (const double a : triangle_areas(input.mesh, edges.duplicates)) area += a;
   Roundness roundness{0, perimeter.empty() ? 0.0 : 1.0};
   for (std::size_t r = 0; r < perimeter.size(); ++r) {
     const double ratio =

@@ -6,6 +6,7 @@
 
 #include "core/base/loops.h"
 #include "parallel/threads/atomic_key.h"
+#include "parallel/threads/rounds.h"
 
 namespace geolloyd {
 namespace {
@@ -42,6 +43,7 @@ void DeltaStepping::Buckets::clear() {
   for (std::size_t b = first; b < end; ++b) at[b].clear();
   first = no_id;
   end = 0;
+  frontier.clear();
   lowered.clear();
 }
 
@@ -65,7 +67,6 @@ void DeltaStepping::search(std::span<const NodeId> seeds, std::vector<Key>& keys
 
 void DeltaStepping::release_memory() {
   for (Buckets& b : buckets_) b = {};
-  frontier_ = std::vector<Entry>();
 }
 
 void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
@@ -121,19 +122,21 @@ void DeltaStepping::add_seed(NodeId seed, RegionId region, std::vector<Key>& key
 
 template <class OnLowered>
 void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
-  constexpr std::size_t grain = 256;
+  constexpr std::size_t grain = 64;
   constexpr std::size_t few = 1024;  // more than these go back to all threads
-  for (std::size_t bucket = take_next_bucket(0); !frontier_.empty();
-       bucket = take_next_bucket(bucket)) {
-    parallel_for_ranges(scheduler_, frontier_.size(), grain,
-                        [&](std::size_t begin, std::size_t end, std::size_t worker) {
-                          Buckets& mine = buckets_[worker];
-                          for (std::size_t i = begin; i < end; ++i) {
-                            relax(frontier_[i], keys, mine, on_lowered);
-                          }
-                          relax_alone(bucket, keys, mine, few, on_lowered);
-                        });
-  }
+  std::size_t bucket = 0;
+  Rounds(scheduler_, grain)
+      .run(
+          [&] {
+            bucket = take_next_bucket(bucket);
+            return frontier_size();
+          },
+          [&](std::size_t begin, std::size_t end, std::size_t worker) {
+            Buckets& mine = buckets_[worker];
+            for_each_of_frontier(begin, end,
+                                 [&](const Entry& entry) { relax(entry, keys, mine, on_lowered); });
+            relax_alone(bucket, keys, mine, few, on_lowered);
+          });
 }
 
 // Goes on with one bucket of a thread while fewer than `few` refill it.
@@ -205,7 +208,27 @@ void DeltaStepping::examine(NodeId v, std::vector<Key>& keys, Buckets& mine,
   mine.push(bucket_of(lowest), {lowest, v});
 }
 
-// Moves the first bucket that is not empty, from this one on, to the frontier.
+// The entries of all threads as one row, which nobody has to copy together.
+std::size_t DeltaStepping::frontier_size() const {
+  std::size_t size = 0;
+  for (const Buckets& b : buckets_) size += b.frontier.size();
+  return size;
+}
+
+template <class Visit>
+void DeltaStepping::for_each_of_frontier(std::size_t begin, std::size_t end, Visit&& visit) const {
+  std::size_t first = 0;  // of this thread's, in the row
+  for (const Buckets& b : buckets_) {
+    const std::size_t last = first + b.frontier.size();
+    for (std::size_t i = std::max(begin, first); i < std::min(end, last); ++i) {
+      visit(b.frontier[i - first]);
+    }
+    first = last;
+  }
+}
+
+// Moves the first bucket that is not empty, from this one on, to the frontier; no_id where all are
+// empty.
 std::size_t DeltaStepping::take_next_bucket(std::size_t bucket) {
   std::size_t next = no_id;
   for (const Buckets& b : buckets_) {
@@ -213,16 +236,15 @@ std::size_t DeltaStepping::take_next_bucket(std::size_t bucket) {
       if (!b.at[i].empty()) next = i;
     }
   }
-  frontier_.clear();
   for (Buckets& b : buckets_) {
+    b.frontier.clear();
     if (next >= b.end) {  // all are empty
       b.first = no_id;
       b.end = 0;
       continue;
     }
     b.first = next;
-    frontier_.insert(frontier_.end(), b.at[next].begin(), b.at[next].end());
-    b.at[next].clear();
+    b.frontier.swap(b.at[next]);
     if (!keeps_buckets_) b.at[next].shrink_to_fit();
   }
   return next;

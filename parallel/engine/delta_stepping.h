@@ -52,6 +52,7 @@ class DeltaStepping {
     std::vector<std::vector<Entry>> at;
     std::size_t first = no_id;    // of those in use
     std::size_t end = 0;          // of those in use
+    std::vector<Entry> frontier;  // being relaxed by all threads, with those of the others
     std::vector<Entry> again;     // being relaxed alone
     std::vector<NodeId> lowered;  // as far as somebody wants to know
 
@@ -83,12 +84,14 @@ class DeltaStepping {
   void offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   std::size_t take_next_bucket(std::size_t bucket);
   void release_memory();
+  [[nodiscard]] std::size_t frontier_size() const;
+  template <class Visit>
+  void for_each_of_frontier(std::size_t begin, std::size_t end, Visit&& visit) const;
 
   Scheduler& scheduler_;
   const Graph& graph_;
   std::uint32_t delta_;
   std::vector<Buckets> buckets_;  // per thread
-  std::vector<Entry> frontier_;
   bool keeps_buckets_ = true;  // the memory of those that are done
 };
 

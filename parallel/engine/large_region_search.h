@@ -29,6 +29,7 @@ class LargeRegionSearch {
 
   // Of the last run:
   [[nodiscard]] NodeId source() const { return source_; }
+  [[nodiscard]] std::uint32_t distance(NodeId v) const { return distance_of(keys_[v]); }
   [[nodiscard]] Score score() const;
   void swap_keys(std::vector<Key>& keys) {
     keys_.swap(keys);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 
 #include "core/voronoi/forest.h"
@@ -45,14 +46,20 @@ RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool
   auto at = static_cast<NodeId>(place - local_.node.begin());
   begin(at, score);
   std::uint32_t moves = 0;
+  NodeId unbeaten = no_id;  // where no neighbour scored so far is lower
   while (goes_on_()) {
-    NodeId next = lower_neighbour(local_.graph, local_.partition.key, score_, at);
+    NodeId next =
+        at == unbeaten ? no_id : lower_neighbour(local_.graph, local_.partition.key, score_, at);
     if (next == no_id) {
+      unbeaten = at;
       stand_at(at);
       next = best_promise();
     }
     if (next == no_id) break;
-    if (score_[next] == never_scored) score_[next] = score_of(next);
+    if (score_[next] == never_scored) {
+      score_[next] = score_of(next);
+      if (score_[next] < score_[unbeaten]) unbeaten = no_id;
+    }
     at = next;
     ++moves;
   }
@@ -65,6 +72,7 @@ void RegionRelaxation::begin(NodeId seed, Score score) {
   score_.assign(nodes, never_scored);
   ahead_.assign(nodes, never_scored);
   score_[seed] = score;
+  mass_ = std::accumulate(local_.graph.mass.begin(), local_.graph.mass.end(), std::uint64_t{0});
   if (order_.size() < nodes) {  // the last to grow
     all_.resize(nodes);
     std::iota(all_.begin(), all_.end(), NodeId{0});
@@ -131,25 +139,49 @@ void RegionRelaxation::weigh_neighbours() {
   std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
     return a.heuristic != b.heuristic ? a.heuristic > b.heuristic : a.node < b.node;
   });
+  first_promise_ = 0;
   laps_.end(seconds_.movement);
 }
 
-NodeId RegionRelaxation::best_promise() const {
-  for (const Promise& p : promises_) {
-    if (score_[p.node] == never_scored) return p.node;
+NodeId RegionRelaxation::best_promise() {
+  for (; first_promise_ < promises_.size(); ++first_promise_) {
+    const NodeId node = promises_[first_promise_].node;
+    if (score_[node] == never_scored) return node;
   }
   return no_id;
 }
 
 Score RegionRelaxation::score_of(NodeId node) {
-  if (large_) {
-    search_large(node);
-    const Score score = large_->score();
-    laps_.end(seconds_.scoring);
-    return score;
+  if (ahead_[node] != never_scored) return ahead_[node];
+  if (!large_) {
+    look_ahead(node);
+    return ahead_[node];
   }
-  if (ahead_[node] == never_scored) look_ahead(node);
-  return ahead_[node];
+  search_large(node);
+  const Score score = large_->score();
+  rule_out(score, [&](NodeId v) { return large_->distance(v); });
+  laps_.end(seconds_.scoring);
+  return score;
+}
+
+// Where a stand has very many neighbours, most need no search. No node's distance from a neighbour
+// v differs from that from another, u, by more than these are apart. So by Minkowski's inequality
+// the roots of their scores differ by that times the root of the mass at most. If u cannot come
+// down to the score of the stand, it counts as infinitely high: the seed goes there and comes back
+// as it would from any higher score. All doubles are off by less than the margin.
+template <class DistanceFrom>
+void RegionRelaxation::rule_out(Score score, const DistanceFrom& distance) {
+  constexpr std::size_t many = 64;
+  constexpr double margin = 1e-12;
+  if (promises_.size() < many) return;
+  const double surplus = std::sqrt(static_cast<double>(score)) * (1 - margin) -
+                         std::sqrt(static_cast<double>(score_[stand_])) * (1 + margin);
+  const double reach = surplus / std::sqrt(static_cast<double>(mass_)) * (1 - margin);
+  for (std::size_t i = first_promise_; i < promises_.size(); ++i) {
+    const NodeId u = promises_[i].node;
+    if (score_[u] != never_scored || ahead_[u] != never_scored) continue;
+    if (static_cast<double>(distance(u)) < reach) ahead_[u] = never_scored - 1;
+  }
 }
 
 void RegionRelaxation::search_large(NodeId source) {
@@ -160,7 +192,8 @@ void RegionRelaxation::search_large(NodeId source) {
 // Fills the lanes with `node` and what may follow it.
 void RegionRelaxation::look_ahead(NodeId node) {
   sources_.assign(1, node);
-  for (const Promise& p : promises_) {
+  for (std::size_t i = first_promise_; i < promises_.size(); ++i) {
+    const Promise& p = promises_[i];
     if (sources_.size() == SimdSearch::lanes) break;
     const bool wanted = score_[p.node] == never_scored && ahead_[p.node] == never_scored;
     if (wanted && p.node != node) sources_.push_back(p.node);
@@ -168,6 +201,9 @@ void RegionRelaxation::look_ahead(NodeId node) {
   search_from_sources();
   const auto scores = lanes_.scores(local_.graph);
   for (std::size_t j = 0; j < sources_.size(); ++j) ahead_[sources_[j]] = scores[j];
+  for (std::size_t j = 0; j < sources_.size(); ++j) {
+    rule_out(scores[j], [&](NodeId v) { return lanes_.distance(v, j); });
+  }
   laps_.end(seconds_.scoring);
 }
 

@@ -70,8 +70,10 @@ class RegionRelaxation {
   void move_keys_to(NodeId node);
   void find_sums();
   void weigh_neighbours();
-  [[nodiscard]] NodeId best_promise() const;
+  NodeId best_promise();
   Score score_of(NodeId node);
+  template <class DistanceFrom>
+  void rule_out(Score score, const DistanceFrom& distance);
   void look_ahead(NodeId node);
   void search_large(NodeId source);
   void search_from_sources();
@@ -82,15 +84,17 @@ class RegionRelaxation {
   Scheduler alone_{1};  // of large regions that are not shared
   bool extended_ = true;
   LocalRegion local_;
+  std::uint64_t mass_ = 0;  // of all nodes
 
   // By local node:
   std::vector<Score> score_;  // of those that have been the seed
-  std::vector<Score> ahead_;  // of those that may come to be
+  std::vector<Score> ahead_;  // of those that may come to be; never_scored - 1: too high
   std::vector<NodeId> all_;   // 0, 1, 2...
 
   // Where the seed stands, its promises, best first, and by local node the branches and sums.
   NodeId stand_ = no_id;
   std::vector<Promise> promises_;
+  std::size_t first_promise_ = 0;  // all before have scores
   BranchOf branch_of_;
   SubtreeSums sums_;
 

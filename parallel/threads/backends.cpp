@@ -49,6 +49,17 @@ void run_on_tbb(TbbPool& pool, std::size_t workers, Enter enter, void* context) 
   });
 }
 
+// Each pool's arena keeps a place for a thread that comes from outside. In this one that would be
+// the calling thread, which could join no other arena when there is nothing left to do here. So it
+// has no place, and there is one thread more.
+void begin_on_tbb(std::size_t workers, Enter enter, void* context) {
+  allow_threads(workers + 1);
+  tbb::task_arena arena(static_cast<int>(workers), 0, tbb::task_arena::priority::high);
+  for (std::size_t i = 0; i < workers; ++i) {
+    arena.enqueue([=] { enter(context, i); });
+  }
+}
+
 // Always with all threads: a team that changes its size is made anew. The caller is thread 0.
 void run_on_openmp(std::size_t threads, std::size_t workers, Enter enter, void* context) {
 #pragma omp parallel num_threads(static_cast <int>(threads))

@@ -21,4 +21,8 @@ TbbPoolPointer make_tbb_pool(std::size_t threads);
 void run_on_tbb(TbbPool& pool, std::size_t workers, Enter enter, void* context);
 void run_on_openmp(std::size_t threads, std::size_t workers, Enter enter, void* context);
 
+/// Begins what run_on_tbb does and returns at once; the calling thread takes no part. `enter` may
+/// run loops in other pools, and a thread that has nothing left to do here joins those.
+void begin_on_tbb(std::size_t workers, Enter enter, void* context);
+
 }  // namespace geolloyd

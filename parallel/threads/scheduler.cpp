@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <exception>
+#include <latch>
 #include <thread>
 
 #include "parallel/threads/available_cores.h"
@@ -30,6 +31,18 @@ void enter(void* context, std::size_t worker) {
   job.done.fetch_add(1, std::memory_order_release);
 }
 
+// A job whose end may be long in coming: it is waited for without being looked at all the time.
+struct LongJob {
+  Job job;
+  std::latch ended;
+};
+
+void enter_long(void* context, std::size_t worker) {
+  LongJob& long_job = *static_cast<LongJob*>(context);
+  enter(&long_job.job, worker);
+  long_job.ended.count_down();
+}
+
 std::size_t resolve(std::size_t threads) {
   return threads != 0 ? threads : available_cores();
 }
@@ -55,6 +68,18 @@ void Scheduler::run(std::size_t workers, const std::function<void(std::size_t)>&
   }
   while (job.done.load(std::memory_order_acquire) != workers) std::this_thread::yield();
   if (job.error) std::rethrow_exception(job.error);
+}
+
+void Scheduler::run_apart(std::size_t workers, const std::function<void(std::size_t)>& work) {
+  if (workers == 1 || backend_ == Backend::openmp) {
+    run(workers, work);
+    return;
+  }
+  LongJob long_job{Job{work}, std::latch(static_cast<std::ptrdiff_t>(workers))};
+  long_job.job.open.store(true, std::memory_order_release);
+  begin_on_tbb(workers, enter_long, &long_job);
+  long_job.ended.wait();
+  if (long_job.job.error) std::rethrow_exception(long_job.job.error);
 }
 
 std::vector<std::size_t> thread_ladder() {

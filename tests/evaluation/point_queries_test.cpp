@@ -261,5 +261,35 @@ TEST(ClosestPoint, NeedsASurface) {
   EXPECT_THROW(ClosestPoint(Mesh{}, 2), InvalidInput);
 }
 
+// Each search would visit them all.
+TEST(NearestSite, IsTheFirstOfVeryManyInOnePlace) {
+  std::vector<Vec3> sites = {{3, 0, 0}};
+  sites.resize(100'000, Vec3(1, 2, 3));
+  const NearestSite nearest(sites, 2);
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    ASSERT_EQ(nearest.find(random_point(1, i), i),
+              nearest_by_force({sites[0], sites[1]}, random_point(1, i)));
+  }
+}
+
+TEST(ClosestPoint, IsOnTheFirstOfVeryManyTrianglesInOnePlace) {
+  Mesh mesh;
+  mesh.positions = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  mesh.triangles.assign(100'000, {0, 1, 2});
+  mesh.triangles[7] = {3, 4, 5};
+  const ClosestPoint closest(mesh, 2);
+  Mesh few = mesh;
+  few.triangles.resize(8);
+  const ClosestPoint closest_of_few(few, 1);
+  for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+    const Vec3 p = random_point(2, i, 3);
+    const FoundPoint found = closest.find(p, i);
+    const FoundPoint expected = closest_of_few.find(p);
+    ASSERT_EQ(found.triangle, expected.triangle);
+    ASSERT_EQ(found.position, expected.position);
+    ASSERT_NE(closest.find_within(p, found.distance), no_id);
+  }
+}
+
 }  // namespace
 }  // namespace geolloyd

@@ -168,6 +168,39 @@ TEST(Agreement, OnStarsAndWheels) {
   }
 }
 
+// A rim of short edges around a hub.
+Graph fine_wheel(NodeId rim) {
+  std::vector<UndirectedArc> links;
+  for (NodeId v = 1; v <= rim; ++v) {
+    links.push_back({0, v, 100.0 + v % 7});
+    links.push_back({v, v % rim + 1, 600.0 / rim});
+  }
+  return make_graph(links, std::vector<double>(rim + 1, 1.0));
+}
+
+// Where most neighbours of the hub need no search, because one beside them is far too high.
+TEST(Agreement, OnFineWheels) {
+  const Graph graph = fine_wheel(400);
+  for (const RelaxationOptions& options : all_options()) {
+    expect_agreement_everywhere(graph, {0}, options);
+    expect_agreement_everywhere(graph, {7, 150, 300}, options);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// A search for each of the neighbours would take an hour.
+TEST(ParallelEngine, RestsOnAHubOfVeryManyEdges) {
+  constexpr NodeId rim = 100'000;
+  const Graph graph = fine_wheel(rim);
+  Scheduler scheduler(2);
+  RelaxationOptions options;
+  options.greedy = GreedyMode::off;
+  const Relaxation relaxation =
+      relax_in_parallel(scheduler, Frontier::automatic, graph, {0}, options);
+  EXPECT_EQ(relaxation.stop_reason, StopReason::converged);
+  EXPECT_EQ(relaxation.seeds, std::vector<NodeId>{0});
+}
+
 // Regions of many pieces, shared by several threads.
 TEST(Agreement, OnFewLargeRegions) {
   const Mesh mesh = creature(30000, 1);

@@ -171,6 +171,21 @@ TEST_F(Experiment, ProfileSaysWhatDijkstraTakes) {
   EXPECT_EQ(outcome_.text.find("% of the greedy phase"), std::string::npos);
 }
 
+TEST_F(Experiment, BatchCountsTheSameInTurnAndTogether) {
+  const std::string options = "-k 8,20 --batches 2 --graphs vertex,triangle";
+  json in_turn = result_of("batch", options);
+  for (const char* threads : {"1", "3"}) {
+    json together = result_of("batch", options + " --together --threads " + threads);
+    EXPECT_EQ(together["options"]["together"], true);
+    ASSERT_EQ(together["rows"].size(), in_turn["rows"].size());
+    for (std::size_t i = 0; i < in_turn["rows"].size(); ++i) {
+      in_turn["rows"][i].erase("seconds");
+      together["rows"][i].erase("seconds");
+      EXPECT_EQ(together["rows"][i], in_turn["rows"][i]);
+    }
+  }
+}
+
 TEST_F(Experiment, BatchHasARowForEveryConfiguration) {
   const json result = result_of("batch", "-k 4..8,30 --batches 2 --graphs vertex,triangle,mixed");
   ASSERT_EQ(result["rows"].size(), 3U * 3 * 3 * 2 * 2);

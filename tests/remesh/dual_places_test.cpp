@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/shapes/shapes.h"
 #include "tests/remesh/ground.h"
@@ -81,6 +82,39 @@ TEST(DualPlacesAtASeam, AreNotRepeated) {
     const Mesh remesh = ground.remesh(ground.repair(ground.choose(40)));
     EXPECT_EQ(count_repeated_places(remesh), 0U);
   }
+}
+
+Mesh cone(VertexId triangles) {
+  Mesh mesh;
+  mesh.positions.emplace_back(0, 0, 0.1);
+  for (VertexId i = 0; i < triangles; ++i) {
+    const double turn = 2 * M_PI * i / triangles;
+    mesh.positions.emplace_back(std::cos(turn), std::sin(turn), 0);
+    mesh.triangles.push_back({0, i + 1, (i + 1) % triangles + 1});
+  }
+  return mesh;
+}
+
+// Where all regions meet. To try every place for each triangle around it took a minute.
+TEST(DualPlacesAtAHub, AreFoundInTimeThatGrowsWithTheRegions) {
+  Ground ground(cone(40'000), GraphKind::triangle);
+  std::vector<NodeId> seeds;
+  for (std::size_t t = 0; t < 40'000; t += 20) {
+    seeds.push_back(ground.mesh_graph.node_of[ground.mesh_graph.first_triangle_id + t]);
+  }
+  const Mesh remesh = ground.remesh(ground.dualise(seeds));
+  EXPECT_EQ(remesh.vertex_count(), seeds.size());
+}
+
+// To count all that share a place, for each of them, took minutes.
+TEST(DualPlacesInOnePlace, AreFoundInTimeThatGrowsWithTheRegions) {
+  Mesh mesh = irregular_plane(40'000, 1);
+  std::fill(mesh.positions.begin(), mesh.positions.end(), Vec3::Zero());
+  Ground ground(mesh, GraphKind::vertex);
+  std::vector<NodeId> seeds;
+  for (NodeId v = 0; v < ground.mesh_graph.graph.node_count(); v += 4) seeds.push_back(v);
+  const Mesh remesh = ground.remesh(ground.dualise(seeds));
+  EXPECT_EQ(count_repeated_places(remesh), seeds.size() - 1);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void check_has_magnitudes(const FieldArguments& field) {
       "curvature, or a file");
 }
 
-void add_sizing_options(CLI::App& command, SizingArguments& sizing) {
+void add_size_file_options(CLI::App& command, SizingArguments& sizing) {
   command
       .add_option("--sizing", sizing.lengths_file,
                   "File of edge lengths: one per line, for each vertex of the input\n"
@@ -75,6 +75,9 @@ void add_sizing_options(CLI::App& command, SizingArguments& sizing) {
                   "density^(-1/4) has it")
       ->type_name("FILE")
       ->group(sizing_group);
+}
+
+void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
   command
       .add_option_function<std::string>(
           "--adapt",
@@ -141,16 +144,19 @@ void add_feature_options(CLI::App& command, FeatureArguments& features) {
       ->default_str("auto")
       ->group(feature_group);
   command
-      .add_option("--feature-edges", features.edges_file,
-                  "File of further edges to keep: two vertices of the input per\n"
-                  "line, counted from 0")
-      ->type_name("FILE")
-      ->group(feature_group);
-  command
       .add_option("--feature-labels", features.labels,
                   "Property of triangles or of vertices, such as region: borders\n"
                   "between its values are kept")
       ->type_name("NAME")
+      ->group(feature_group);
+}
+
+void add_feature_file_options(CLI::App& command, FeatureArguments& features) {
+  command
+      .add_option("--feature-edges", features.edges_file,
+                  "File of further edges to keep: two vertices of the input per\n"
+                  "line, counted from 0")
+      ->type_name("FILE")
       ->group(feature_group);
   command
       .add_option("--fixed", features.fixed_file,
@@ -158,6 +164,12 @@ void add_feature_options(CLI::App& command, FeatureArguments& features) {
                   "per line, counted from 0")
       ->type_name("FILE")
       ->group(feature_group);
+}
+
+void add_no_fit_option(CLI::App& command, bool& no_fit) {
+  command.add_flag("--no-fit", no_fit,
+                   "Leave vertices on the surface of the input, instead of moving them\n"
+                   "off it where that brings the triangles closer");
 }
 
 std::string name_of_creases(const FeatureArguments& features) {

@@ -79,13 +79,19 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
 void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what);
 /// Throws InvalidInput where the field has no magnitudes: it would change nothing.
 void check_has_magnitudes(const FieldArguments& field);
-/// --sizing, --density, --adapt and --growth.
-void add_sizing_options(CLI::App& command, SizingArguments& sizing);
+/// --sizing and --density: files that belong to one mesh.
+void add_size_file_options(CLI::App& command, SizingArguments& sizing);
+/// --adapt and --growth.
+void add_adapt_options(CLI::App& command, SizingArguments& sizing);
 /// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.
 void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing);
 
-/// --features, --feature-edges, --feature-labels and --fixed.
+/// --features and --feature-labels.
 void add_feature_options(CLI::App& command, FeatureArguments& features);
+/// --feature-edges and --fixed: files that belong to one mesh.
+void add_feature_file_options(CLI::App& command, FeatureArguments& features);
+/// --no-fit.
+void add_no_fit_option(CLI::App& command, bool& no_fit);
 /// As --features has it.
 std::string name_of_creases(const FeatureArguments& features);
 

@@ -16,7 +16,9 @@
 #include "tools/experiments/first_seeds.h"
 #include "tools/run/measured_run.h"
 #include "tools/run/stages.h"
+#include "tools/run/work_queue.h"
 #include "tools/system/interrupt.h"
+#include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/text_table.h"
 
@@ -32,6 +34,7 @@ struct BatchArguments {
   ThreadArguments threads;
   std::vector<std::string> seeds;
   std::size_t batches = 3;
+  bool together = false;
   std::vector<GraphKind> graphs = {GraphKind::vertex, GraphKind::vertex_dense, GraphKind::triangle,
                                    GraphKind::triangle_dense, GraphKind::mixed};  // the thesis's
   std::vector<GreedyMode> greedy = values_of(greedy_mode_names);
@@ -88,7 +91,9 @@ class Batches {
       as_asked.kind = graph;
       // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
       const Purpose purpose{arguments_.engine.kind, false, {}, {}, false};
-      const MeshGraph mesh_graph = build_graph(as_asked, loaded_, purpose, scheduler_);
+      const BuiltGraph built = build_graph(as_asked, loaded_, purpose, scheduler_);
+      const MeshGraph& mesh_graph = built.mesh_graph;
+      bytes_of_run_ = built.memory_estimate;
       for (const std::size_t k : ladder_) {
         for (BatchRow& row : run_from(mesh_graph, k)) rows.push_back(row);
         save(rows);
@@ -114,27 +119,59 @@ class Batches {
       if (start.seeds != seeds) continue;
       const std::vector<NodeId> first =
           seeds_at_triangles(loaded_.input.mesh(), mesh_graph, start.places);
-      for (BatchRow& row : rows) {
-        if (!interrupted()) run_one(row, mesh_graph.graph, start, first);
+      if (arguments_.together) {
+        run_together(rows, mesh_graph.graph, start, first);
+      } else {
+        run_in_turn(rows, mesh_graph.graph, start, first);
       }
     }
     std::erase_if(rows, [](const BatchRow& row) { return row.batches == 0; });
     return rows;
   }
 
-  void run_one(BatchRow& row, const Graph& graph, const FirstSeeds& start,
-               const std::vector<NodeId>& first) {
-    const Configuration& c = row.configuration;
-    progress_.part(fmt::format(
-        "{}, {}, batch {}, {}, skips {} {}:", name_of(graph_kind_names, c.graph),
-        counted(c.seeds, "seed", "seeds"), start.batch, name_of(greedy_mode_names, c.greedy),
-        name_of(switch_names, c.macrostep_skip), name_of(switch_names, c.microstep_skip)));
+  void run_in_turn(std::vector<BatchRow>& rows, const Graph& graph, const FirstSeeds& start,
+                   const std::vector<NodeId>& first) {
+    for (BatchRow& row : rows) {
+      if (interrupted()) return;
+      const Configuration& c = row.configuration;
+      progress_.part(fmt::format(
+          "{}, {}, skips {} {}:", describe(c, start), name_of(greedy_mode_names, c.greedy),
+          name_of(switch_names, c.macrostep_skip), name_of(switch_names, c.microstep_skip)));
+      add(row, run_one(c, graph, first, scheduler_, watcher(progress_, first.size())));
+    }
+  }
+
+  // Rows add up in their order, whichever run ends first.
+  void run_together(std::vector<BatchRow>& rows, const Graph& graph, const FirstSeeds& start,
+                    const std::vector<NodeId>& first) {
+    progress_.stage(describe(rows.front().configuration, start) + ": all settings");
+    std::vector<MeasuredRun> runs(rows.size());
+    for (MeasuredRun& run : runs) run.relaxation.stop_reason = StopReason::interrupted;
+    WorkQueue queue(std::vector<QueuedWork>(rows.size(), {1, bytes_of_run_}), allowed_memory(),
+                    scheduler_);
+    queue.run([&](std::size_t n, MemoryShare&) {
+      Scheduler one(1, scheduler_.backend());
+      runs[n] = run_one(rows[n].configuration, graph, first, one,
+                        [](const Progress&) { return !interrupted(); });
+    });
+    for (std::size_t n = 0; n < rows.size(); ++n) add(rows[n], runs[n]);
+  }
+
+  MeasuredRun run_one(const Configuration& c, const Graph& graph, const std::vector<NodeId>& first,
+                      Scheduler& scheduler, const ProgressCallback& observer) const {
     const EngineArguments& engine = arguments_.engine;
-    const MeasuredRun measured =
-        measure_run(engine.kind, engine.frontier, scheduler_, graph, first,
-                    options_of(arguments_.limits, c), watcher(progress_, first.size()));
-    if (measured.relaxation.stop_reason == StopReason::interrupted) return;
-    row.add(measured.relaxation, measured.seconds);
+    return measure_run(engine.kind, engine.frontier, scheduler, graph, first,
+                       options_of(arguments_.limits, c), observer);
+  }
+
+  static void add(BatchRow& row, const MeasuredRun& run) {
+    if (run.relaxation.stop_reason == StopReason::interrupted) return;
+    row.add(run.relaxation, run.seconds);
+  }
+
+  static std::string describe(const Configuration& c, const FirstSeeds& start) {
+    return fmt::format("{}, {}, batch {}", name_of(graph_kind_names, c.graph),
+                       counted(c.seeds, "seed", "seeds"), start.batch);
   }
 
   const BatchArguments& arguments_;
@@ -143,6 +180,7 @@ class Batches {
   Scheduler& scheduler_;
   ProgressLine& progress_;
   std::vector<FirstSeeds> starts_;
+  std::uint64_t bytes_of_run_ = 0;  // at most
 };
 
 std::string table_of(const std::vector<BatchRow>& rows) {
@@ -176,6 +214,7 @@ Json result_of(const BatchArguments& a, const Input& input, std::size_t threads,
                                 {"batches", a.batches},
                                 {"engine", name_of(engine_names, engine)},
                                 {"threads", engine == EngineKind::reference ? 1 : threads},
+                                {"together", a.together},
                                 {"frontier", frontier_part(engine, a.engine.frontier)},
                                 {"backend", backend_part(engine, a.threads.backend)}});
   result["interrupted"] = !is_complete;
@@ -242,6 +281,9 @@ void add_batch_command(CLI::App& program) {
   whole_number(command->add_option("--batches", a->batches, "Number of sets of first seeds"), 1,
                100'000)
       ->capture_default_str();
+  command->add_flag("--together", a->together,
+                    "Do as many runs at once as there are threads, each with one: times\n"
+                    "are then those of runs that others slow down");
   add_output_options(*command, a->output, "batch");
   add_list(*command, "--graphs", a->graphs, "Kinds of graph", graph_kind_names);
   add_list(*command, "--greedy", a->greedy, "Heuristics of the greedy phase", greedy_mode_names);

@@ -9,6 +9,7 @@ namespace geolloyd {
 
 void add_relax_command(CLI::App& program);
 void add_remesh_command(CLI::App& program);
+void add_remesh_all_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_verify_command(CLI::App& program);
 void add_compare_command(CLI::App& program);

@@ -122,6 +122,7 @@ void run(int argc, char** argv) {
   program.get_formatter()->column_width(34);
   geolloyd::add_relax_command(program);
   geolloyd::add_remesh_command(program);
+  geolloyd::add_remesh_all_command(program);
   geolloyd::add_render_command(program);
   geolloyd::add_verify_command(program);
   geolloyd::add_compare_command(program);

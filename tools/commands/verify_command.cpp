@@ -18,6 +18,7 @@
 #include "tools/run/stages.h"
 #include "tools/run/surface_remesh.h"
 #include "tools/system/interrupt.h"
+#include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/names.h"
 
@@ -118,7 +119,8 @@ void verify_remesh(const VerifyArguments& a) {
   options.sizing = read_sizing(a.sizing, loaded);
   options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
   options.features = read_features(a.features, loaded);
-  check_remesh_memory(loaded, a.vertices, options, std::nullopt, scheduler);
+  announce_memory(loaded.input.file.string(),
+                  estimate_remesh_memory(loaded, a.vertices, options, std::nullopt, scheduler));
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
@@ -169,8 +171,10 @@ void add_verify_command(CLI::App& program) {
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_frontier_option(*command, arguments->engine);
-  add_sizing_options(*command, arguments->sizing);
+  add_size_file_options(*command, arguments->sizing);
+  add_adapt_options(*command, arguments->sizing);
   add_feature_options(*command, arguments->features);
+  add_feature_file_options(*command, arguments->features);
   add_thread_options(*command, arguments->threads);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"

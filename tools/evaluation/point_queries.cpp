@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/closest_on_triangle.h"
@@ -52,16 +55,36 @@ void search(RTCScene scene, const Vec3& q, Nearest& nearest) {
   rtcPointQuery(scene, &query, &context, visit, &search);
 }
 
+// Keeps the first of those that are in the very same place, ascending. The others are nearest to
+// nothing, and where there are very many of them a search would visit them all.
+template <class PlaceOf>
+void keep_first_in_place(std::vector<std::uint32_t>& items, const PlaceOf& place_of) {
+  const auto key = [&](std::uint32_t i) {
+    const Vec3& p = place_of(i);
+    return std::tuple(p.x(), p.y(), p.z());
+  };
+  std::sort(items.begin(), items.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple(key(a), a) < std::tuple(key(b), b);
+  });
+  const auto end = std::unique(items.begin(), items.end(),
+                               [&](std::uint32_t a, std::uint32_t b) { return key(a) == key(b); });
+  items.erase(end, items.end());
+  std::sort(items.begin(), items.end());
+}
+
 }  // namespace
 
 struct NearestSite::Scene : EmbreeScene {
   std::vector<Vec3> sites;
+  std::vector<std::uint32_t> site_of;  // per primitive
   UnitFrame frame;
 
   Scene(std::span<const Vec3> all, std::size_t threads)
-      : EmbreeScene(threads), sites(all.begin(), all.end()), frame(all) {
+      : EmbreeScene(threads), sites(all.begin(), all.end()), site_of(all.size()), frame(all) {
+    std::iota(site_of.begin(), site_of.end(), 0U);
+    keep_first_in_place(site_of, [&](std::uint32_t i) -> const Vec3& { return sites[i]; });
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(sites.size()));
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(site_of.size()));
     rtcSetGeometryBoundsFunction(geometry, find_bounds, this);
     rtcSetGeometryUserData(geometry, this);
     commit(geometry);
@@ -69,7 +92,7 @@ struct NearestSite::Scene : EmbreeScene {
 
   static void find_bounds(const RTCBoundsFunctionArguments* asked) {
     const Scene& scene = *static_cast<const Scene*>(asked->geometryUserPtr);
-    const Vec3 q = scene.frame(scene.sites[asked->primID]);
+    const Vec3 q = scene.frame(scene.sites[scene.site_of[asked->primID]]);
     RTCBounds& box = *asked->bounds_o;
     box.lower_x = box.upper_x = to_float(q.x());
     box.lower_y = box.upper_y = to_float(q.y());
@@ -89,7 +112,8 @@ std::uint32_t NearestSite::find(const Vec3& p, std::uint32_t guess) const {
     double square = infinity;
     std::uint32_t site = no_id;
 
-    bool visit(std::uint32_t i) {
+    bool visit(std::uint32_t primitive) { return offer(scene.site_of[primitive]); }
+    bool offer(std::uint32_t i) {
       const Vec3 away = p - scene.sites[i];
       const double offered = dot(away, away);
       if (offered > square || (offered == square && i >= site)) return false;
@@ -102,19 +126,49 @@ std::uint32_t NearestSite::find(const Vec3& p, std::uint32_t guess) const {
       return std::sqrt(square + std::numeric_limits<double>::min()) * scene.frame.scale;
     }
   } nearest{*scene_, p};
-  nearest.visit(guess);
+  nearest.offer(guess);
   search(scene_->scene, scene_->frame(p), nearest);
   return nearest.site;
 }
 
 struct ClosestPoint::Scene : EmbreeScene {
   const Mesh& mesh;
+  std::vector<TriangleId> triangle_of;  // per primitive; none: each is its triangle
   UnitFrame frame;
 
   Scene(const Mesh& whole, std::size_t threads)
       : EmbreeScene(threads), mesh(whole), frame(whole.positions) {
     if (mesh.triangles.empty()) throw InvalidInput("a mesh without triangles has no surface");
-    commit(triangles(frame(mesh)));
+    Mesh framed = frame(mesh);
+    leave_out_repeated_points(framed);
+    commit(triangles(framed));
+  }
+
+  // Triangles whose corners are all in one place, where an earlier one is.
+  void leave_out_repeated_points(Mesh& framed) {
+    const auto is_point = [&](TriangleId t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      return mesh.positions[a] == mesh.positions[b] && mesh.positions[b] == mesh.positions[c];
+    };
+    std::vector<TriangleId> points;
+    for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+      if (is_point(t)) points.push_back(t);
+    }
+    const std::size_t all = points.size();
+    keep_first_in_place(
+        points, [&](TriangleId t) -> const Vec3& { return mesh.positions[mesh.triangles[t][0]]; });
+    if (points.size() == all) return;
+    std::vector<Triangle> kept;
+    for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
+      if (is_point(t) && !std::binary_search(points.begin(), points.end(), t)) continue;
+      kept.push_back(framed.triangles[t]);
+      triangle_of.push_back(t);
+    }
+    framed.triangles = std::move(kept);
+  }
+
+  [[nodiscard]] TriangleId triangle_at(std::uint32_t primitive) const {
+    return triangle_of.empty() ? primitive : triangle_of[primitive];
   }
 
   [[nodiscard]] Vec3 closest_to(const Vec3& p, TriangleId t) const {
@@ -146,7 +200,8 @@ FoundPoint ClosestPoint::find(const Vec3& p, TriangleId guess) const {
     TriangleId triangle = no_id;
     Vec3 position = Vec3::Zero();
 
-    bool visit(TriangleId t) {
+    bool visit(std::uint32_t primitive) { return offer(scene.triangle_at(primitive)); }
+    bool offer(TriangleId t) {
       const Vec3 point = scene.closest_to(p, t);
       const double offered = scene.square_distance(p, point);
       if (offered > square || (offered == square && t >= triangle)) return false;
@@ -157,7 +212,7 @@ FoundPoint ClosestPoint::find(const Vec3& p, TriangleId guess) const {
     }
     [[nodiscard]] double distance() const { return std::sqrt(square); }
   } nearest{*scene_, p};
-  if (guess != no_id) nearest.visit(guess);
+  if (guess != no_id) nearest.offer(guess);
   search(scene_->scene, scene_->frame(p), nearest);
   return {nearest.triangle, nearest.position, nearest.distance() / scene_->frame.scale};
 }
@@ -169,7 +224,8 @@ TriangleId ClosestPoint::find_within(const Vec3& p, double distance) const {
     double most = 0;
     TriangleId triangle = no_id;
 
-    bool visit(TriangleId t) {
+    bool visit(std::uint32_t primitive) {
+      const TriangleId t = closest.scene_->triangle_at(primitive);
       if (triangle != no_id || closest.distance_to(p, t) > most) return false;
       triangle = t;
       return true;

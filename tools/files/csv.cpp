@@ -12,9 +12,15 @@ std::string column_of(std::string pointer) {
   return pointer.substr(1);
 }
 
+// In quotes where what is in it would end a cell (RFC 4180).
 std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  if (!value.is_string()) return value.dump();
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  return cell + "\"";
 }
 
 void end_line(std::string& line) {

@@ -181,32 +181,6 @@ std::string describe_files(const SurfaceRemeshArguments& arguments) {
   return text;
 }
 
-Json options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
-  const FinenessArguments& fineness = a.fineness;
-  const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
-  return {{"vertices", or_null(fineness.vertices)},
-          {"edge_length", or_null(fineness.edge_length)},
-          {"tolerance", or_null(fineness.tolerance)},
-          {"tolerance_is_percentage", fineness.is_percentage},
-          {"sizing", a.sizing.lengths_file.string()},
-          {"density", a.sizing.densities_file.string()},
-          {"adapt", a.sizing.adapt},
-          {"growth",
-           a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
-          {"vfield", a.field.vfield.string()},
-          {"repair", a.repair.is_wanted},
-          {"fill_holes", fill_holes_part(a.repair)},
-          {"features", name_of_creases(a.features)},
-          {"feature_edges", a.features.edges_file.string()},
-          {"feature_labels", a.features.labels},
-          {"fixed", a.features.fixed_file.string()},
-          {"fit", !a.no_fit},
-          {"drop", !a.carries_properties},
-          {"engine", name_of(engine_names, a.engine)},
-          {"threads", threads},
-          {"backend", backend_part(a.engine, a.threads.backend)}};
-}
-
 Json trials_part(const std::vector<ToleranceTrial>& trials) {
   Json part = Json::array();
   for (const ToleranceTrial& trial : trials) {
@@ -282,7 +256,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
   report["machine"] = machine_part();
   report["input"] = mesh_part(loaded.input);
   report["repairs"] = repairs_part(loaded.input.repairs);
-  report["options"] = options_part(arguments, result.threads);
+  report["options"] = surface_remesh_options_part(arguments, result.threads);
   report["interrupted"] = remesh.interrupted;
   report["trials"] = trials_part(result.trials);
   report["iterations"] = remesh.steps.size();
@@ -334,6 +308,32 @@ void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedIn
     files[arguments.map_file.empty() ? 1 : 2].text(report_text(arguments, loaded, result));
   }
   files.commit();
+}
+
+Json surface_remesh_options_part(const SurfaceRemeshArguments& a, std::size_t threads) {
+  const FinenessArguments& fineness = a.fineness;
+  const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
+  return {{"vertices", or_null(fineness.vertices)},
+          {"edge_length", or_null(fineness.edge_length)},
+          {"tolerance", or_null(fineness.tolerance)},
+          {"tolerance_is_percentage", fineness.is_percentage},
+          {"sizing", a.sizing.lengths_file.string()},
+          {"density", a.sizing.densities_file.string()},
+          {"adapt", a.sizing.adapt},
+          {"growth",
+           a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
+          {"vfield", a.field.vfield.string()},
+          {"repair", a.repair.is_wanted},
+          {"fill_holes", fill_holes_part(a.repair)},
+          {"features", name_of_creases(a.features)},
+          {"feature_edges", a.features.edges_file.string()},
+          {"feature_labels", a.features.labels},
+          {"fixed", a.features.fixed_file.string()},
+          {"fit", !a.no_fit},
+          {"drop", !a.carries_properties},
+          {"engine", name_of(engine_names, a.engine)},
+          {"threads", threads},
+          {"backend", backend_part(a.engine, a.threads.backend)}};
 }
 
 void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,

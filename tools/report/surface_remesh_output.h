@@ -1,31 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/files/file_group.h"
+#include "tools/files/json.h"
 #include "tools/render/surface_colours.h"
-#include "tools/run/surface_remesh.h"
-#include "tools/run/tolerance_search.h"
+#include "tools/run/surface_remesh_run.h"
 
 namespace geolloyd {
-
-/// All there is to tell of one run of `remesh`.
-struct SurfaceRemeshResult {
-  TimedRemesh made;
-  std::vector<ToleranceTrial> trials;  ///< none without a tolerance
-  RemeshFigures figures;
-  Properties properties;  ///< of the remesh, as its file has them
-  std::size_t threads = 0;
-  std::uint64_t memory_estimate = 0;  ///< bytes
-  double judge_seconds = 0;
-  double write_seconds = 0;
-  double total_seconds = 0;             ///< of everything until the files were written
-  std::uint64_t peak_memory_bytes = 0;  ///< until then
-};
 
 /// Makes sure that all files can be written, and that none would replace the input or another,
 /// before any work depends on it. Throws Error.
@@ -40,6 +24,9 @@ void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemeshRe
 /// The report, if it is asked for, with which all files appear.
 void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
                          const SurfaceRemeshResult& result, FileGroup& files);
+
+/// The options in force.
+Json surface_remesh_options_part(const SurfaceRemeshArguments& arguments, std::size_t threads);
 
 /// The remesh with its edges.
 void write_remesh_picture(const SurfaceRemeshArguments& arguments, const Mesh& remesh,

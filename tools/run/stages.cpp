@@ -118,12 +118,13 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
   return read_tangent_field(arguments.vfield, mesh.vertex_count());
 }
 
-MeshGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                      const Purpose& purpose, Scheduler& scheduler) {
-  announce_memory(loaded.input.file.string(),
-                  estimate_memory(arguments, loaded, 1, purpose, scheduler));
-  return make_mesh_graph(loaded.input.mesh(), loaded.edges,
-                         graph_options(arguments, loaded, scheduler), scheduler);
+BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
+                       const Purpose& purpose, Scheduler& scheduler) {
+  const std::uint64_t estimate = estimate_memory(arguments, loaded, 1, purpose, scheduler);
+  announce_memory(loaded.input.file.string(), estimate);
+  return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
+                          graph_options(arguments, loaded, scheduler), scheduler),
+          estimate};
 }
 
 // What takes memory gives it back as soon as nothing needs it: most of the edges before the places

@@ -34,10 +34,15 @@ struct Purpose {
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor);
 
+struct BuiltGraph {
+  MeshGraph mesh_graph;
+  std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it with a single seed
+};
+
 /// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
 /// needs more memory than there is, whatever the number of seeds.
-MeshGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                      const Purpose& purpose, Scheduler& scheduler);
+BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
+                       const Purpose& purpose, Scheduler& scheduler);
 
 /// All that there is before a relaxation begins.
 struct Start {

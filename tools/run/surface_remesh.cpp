@@ -26,7 +26,6 @@
 #include "tools/run/carrying.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_estimate.h"
-#include "tools/system/memory_limit.h"
 
 namespace geolloyd {
 namespace {
@@ -199,10 +198,10 @@ std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions
   return std::max<std::size_t>(4, static_cast<std::size_t>(count));
 }
 
-std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                  const SurfaceRemeshOptions& options,
-                                  const std::optional<PictureArguments>& picture,
-                                  Scheduler& scheduler) {
+std::uint64_t estimate_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                     const SurfaceRemeshOptions& options,
+                                     const std::optional<PictureArguments>& picture,
+                                     Scheduler& scheduler) {
   const Mesh& mesh = loaded.input.mesh();
   RemeshSize size;
   size.vertices = mesh.vertex_count();
@@ -214,9 +213,7 @@ std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertice
   size.threads = scheduler.threads();
   size.property_bytes = bytes_of(loaded.input.loaded.properties);
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
-  const std::uint64_t bytes = memory_to_remesh(size);
-  announce_memory(loaded.input.file.string(), bytes);
-  return bytes;
+  return memory_to_remesh(size);
 }
 
 TimedRemesh time_remesh(const LoadedInput& loaded, SurfaceRemeshOptions options,

@@ -36,12 +36,11 @@ FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInpu
 std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions& options,
                            Scheduler& scheduler);
 
-/// Bytes, of the whole run, with a picture if one will be drawn. Throws InvalidInput where they are
-/// more than there are.
-std::uint64_t check_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                  const SurfaceRemeshOptions& options,
-                                  const std::optional<PictureArguments>& picture,
-                                  Scheduler& scheduler);
+/// Bytes, of the whole run, with a picture if one will be drawn.
+std::uint64_t estimate_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
+                                     const SurfaceRemeshOptions& options,
+                                     const std::optional<PictureArguments>& picture,
+                                     Scheduler& scheduler);
 
 /// A surface remesh, and how long its parts took.
 struct TimedRemesh {

@@ -94,6 +94,10 @@ void limit_memory(std::uint64_t bytes) {
   limit_data();
 }
 
+std::uint64_t allowed_memory() {
+  return limit;
+}
+
 void make_room_for_threads(std::size_t count) {
   if (count == 0) count = available_cores();
   const std::uint64_t stacks = stack_bytes() * (count - 1);

@@ -17,6 +17,9 @@ void return_freed_memory();
 /// Limits this process from now on, instead of any earlier limit.
 void limit_memory(std::uint64_t bytes);
 
+/// What this process may hold.
+std::uint64_t allowed_memory();
+
 /// Keeps the stacks of so many threads out of that: the system counts them, though they stay empty.
 /// 0: as many as can run at once. Throws InvalidInput where the shell has no room for them.
 void make_room_for_threads(std::size_t count);

@@ -12,6 +12,8 @@ namespace geolloyd {
 class ProgressLine {
  public:
   ProgressLine();
+  /// One that tells nothing: of a part of something whose progress another line tells.
+  static ProgressLine silent() { return ProgressLine(false); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { clear(); }
@@ -25,6 +27,7 @@ class ProgressLine {
   void clear();
 
  private:
+  explicit ProgressLine(bool on_terminal) : on_terminal_(on_terminal) {}
   [[nodiscard]] bool is_due();
   void print(const std::string& text);
 

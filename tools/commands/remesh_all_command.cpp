@@ -1,0 +1,307 @@
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/base/stopwatch.h"
+#include "core/formats/mesh_io.h"
+#include "geolloyd/errors.h"
+#include "tools/cli/choice_option.h"
+#include "tools/cli/folder_option.h"
+#include "tools/cli/surface_remesh_arguments.h"
+#include "tools/commands/commands.h"
+#include "tools/files/output_folder.h"
+#include "tools/report/remesh_all_output.h"
+#include "tools/report/surface_remesh_output.h"
+#include "tools/run/stages.h"
+#include "tools/run/surface_remesh_run.h"
+#include "tools/run/work_queue.h"
+#include "tools/system/interrupt.h"
+#include "tools/system/memory_estimate.h"
+#include "tools/system/memory_limit.h"
+#include "tools/system/progress.h"
+#include "tools/words/facts_text.h"
+
+namespace geolloyd {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<Named<const char*>> format_names = {
+    {"ply", ".ply"}, {"obj", ".obj"}, {"off", ".off"}, {"stl", ".stl"}};
+
+struct RemeshAllArguments {
+  std::vector<fs::path> inputs;     ///< folders and meshes
+  SurfaceRemeshArguments each;      ///< but for the files
+  const char* extension = nullptr;  ///< null: as the input's
+  fs::path folder;
+  bool has_reports = false;
+};
+
+// The meshes of a folder, by name, but for hidden ones.
+std::vector<fs::path> meshes_in(const fs::path& folder) {
+  std::vector<fs::path> meshes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const fs::path& file = entry.path();
+    if (has_mesh_name(file) && file.filename().string().front() != '.' && !entry.is_directory()) {
+      meshes.push_back(file);
+    }
+  }
+  if (meshes.empty()) {
+    throw InvalidInput(folder.string() + ": no mesh in this folder: PLY, OBJ, OFF or STL files");
+  }
+  std::sort(meshes.begin(), meshes.end());
+  return meshes;
+}
+
+std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> meshes;
+  std::set<fs::path> known;
+  const auto add = [&](const fs::path& mesh) {
+    if (known.insert(fs::weakly_canonical(mesh)).second) meshes.push_back(mesh);
+  };
+  for (const fs::path& input : inputs) {
+    if (fs::is_directory(input)) {
+      for (const fs::path& mesh : meshes_in(input)) add(mesh);
+    } else {
+      check_mesh_name(input);
+      add(input);
+    }
+  }
+  return meshes;
+}
+
+// Throws InvalidInput where a remesh would replace another, or an input.
+std::vector<RemeshTask> make_tasks(const RemeshAllArguments& arguments) {
+  const std::vector<fs::path> meshes = find_meshes(arguments.inputs);
+  std::set<fs::path> inputs;
+  for (const fs::path& mesh : meshes) inputs.insert(fs::weakly_canonical(mesh));
+  std::vector<RemeshTask> tasks;
+  std::map<fs::path, fs::path> input_of;
+  for (const fs::path& mesh : meshes) {
+    fs::path name = mesh.filename();
+    if (arguments.extension != nullptr) name.replace_extension(arguments.extension);
+    const fs::path output = arguments.folder / name;
+    const auto [other, is_new] = input_of.emplace(output, mesh);
+    if (!is_new) {
+      throw InvalidInput(fmt::format(
+          "{} and {} would both become {}: rename one{}", other->second.string(), mesh.string(),
+          output.string(), arguments.extension == nullptr ? "" : ", or leave out --format"));
+    }
+    if (inputs.contains(fs::weakly_canonical(output))) {
+      throw InvalidInput(output.string() + ": would be overwritten: write somewhere else");
+    }
+    tasks.push_back({mesh, output});
+  }
+  return tasks;
+}
+
+// All files that one mesh gets, as `remesh` is told them.
+SurfaceRemeshArguments arguments_for(const RemeshAllArguments& arguments, const RemeshTask& task) {
+  SurfaceRemeshArguments one = arguments.each;
+  one.mesh = task.input;
+  one.output = task.output;
+  if (arguments.has_reports) one.report_file = task.output.string() + ".json";
+  return one;
+}
+
+std::uint64_t size_of(const fs::path& file) {
+  std::error_code unknown;  // is for the reader to tell
+  const auto bytes = fs::file_size(file, unknown);
+  return unknown ? 0 : bytes;
+}
+
+// What is known before the mesh is read. Measured: a vertex of the remesh takes about as long as
+// 3000 bytes of the input, binary PLY, and the least that a triangle has are 18 of them.
+QueuedWork to_be_queued(const RemeshTask& task, std::size_t vertices) {
+  constexpr std::uint64_t bytes_per_vertex = 3000;
+  constexpr std::uint64_t bytes_per_triangle = 18;
+  const std::uint64_t bytes = size_of(task.input);
+  RemeshSize size;
+  size.triangles = bytes / bytes_per_triangle;
+  size.vertices = size.triangles / 2;
+  size.edges = size.triangles * 3 / 2;
+  size.fine_vertices = size.vertices + 8 * vertices;
+  size.remesh_vertices = vertices;
+  return {bytes + bytes_per_vertex * vertices, memory_to_remesh(size)};
+}
+
+class RemeshingAll {
+ public:
+  /// Both must live on.
+  RemeshingAll(const RemeshAllArguments& arguments, const std::vector<RemeshTask>& tasks)
+      : arguments_(arguments),
+        tasks_(tasks),
+        scheduler_(make_scheduler(arguments.each.threads)),
+        record_(tasks, arguments.folder, arguments.each, scheduler_.threads()) {
+    for (const RemeshTask& task : tasks) {
+      queued_.push_back(to_be_queued(task, arguments.each.fineness.vertices));
+    }
+  }
+
+  const RemeshRecord& run() {
+    record_.save(true);
+    WorkQueue queue(queued_, allowed_memory(), scheduler_);
+    queue.run([&](std::size_t task, MemoryShare& share) {
+      begin(task);
+      remesh(task, share);
+      end(task);
+    });
+    record_.save(true);
+    return record_;
+  }
+
+ private:
+  // A small mesh does not pay for many threads.
+  [[nodiscard]] std::size_t threads_for(std::size_t task) const {
+    constexpr std::uint64_t share = 512 << 10;
+    return std::clamp<std::size_t>(queued_[task].work / share, 1, scheduler_.threads());
+  }
+
+  void remesh(std::size_t task, MemoryShare& share) {
+    const Stopwatch watch;
+    std::string error;
+    try {
+      remesh(task, share, watch);
+      return;
+    } catch (const std::bad_alloc&) {
+      // Others may hold what is missing.
+      if (!share.is_everything()) throw TooLittleMemory{allowed_memory()};
+      error = tasks_[task].input.string() + ": " + out_of_memory_message();
+    } catch (const std::exception& exception) {
+      error = exception.what();
+    }
+    std::replace_if(
+        error.begin(), error.end(), [](unsigned char c) { return c < ' '; }, '?');
+    record_.add_failure(task, std::move(error), watch.seconds());
+  }
+
+  // An interrupted remesh is another one, so it is not written.
+  void remesh(std::size_t task, MemoryShare& share, const Stopwatch& watch) {
+    const SurfaceRemeshArguments one = arguments_for(arguments_, tasks_[task]);
+    Scheduler scheduler(threads_for(task), one.threads.backend);
+    ProgressLine silent = ProgressLine::silent();
+    const auto check_memory = [&](std::uint64_t bytes) {
+      require_memory(one.mesh.string(), bytes);
+      share.become(bytes);
+    };
+    RemeshedInput done = remesh_input(one, check_memory, scheduler, silent);
+    if (done.result.made.remesh.interrupted) return;
+    keep_writable(one.output, done.result.properties);
+    const Stopwatch writing;
+    FileGroup files = open_remesh_files(one);
+    write_remesh(one, done.result, files);
+    done.result.write_seconds = writing.seconds();
+    done.result.total_seconds = watch.seconds();
+    write_remesh_report(one, done.loaded, done.result, files);
+    record_.add(task, done);
+  }
+
+  void begin(std::size_t task) {
+    const std::lock_guard lock(mutex_);
+    at_work_.insert(task);
+    show();
+  }
+
+  void end(std::size_t task) {
+    record_.save(false);
+    const std::lock_guard lock(mutex_);
+    at_work_.erase(task);
+    show();
+  }
+
+  void show() {
+    std::string names;
+    for (const std::size_t task : at_work_) {
+      names += (names.empty() ? "" : ", ") + tasks_[task].input.filename().string();
+    }
+    progress_.stage(fmt::format("{} of {}: {}", record_.done(),
+                                counted(tasks_.size(), "mesh", "meshes"), names));
+  }
+
+  const RemeshAllArguments& arguments_;
+  const std::vector<RemeshTask>& tasks_;
+  Scheduler scheduler_;
+  RemeshRecord record_;
+  std::vector<QueuedWork> queued_;
+  std::mutex mutex_;  // of both that follow
+  std::set<std::size_t> at_work_;
+  ProgressLine progress_;
+};
+
+void run_remesh_all(const RemeshAllArguments& arguments) {
+  check_surface_remesh(arguments.each);
+  if (!arguments.each.field.field_file().empty()) {
+    throw InvalidInput("--vfield: a file belongs to one mesh: give curvature");
+  }
+  const std::vector<RemeshTask> tasks = make_tasks(arguments);
+  catch_interrupts();  // before the folder appears, which tells others that it is done
+  std::vector<fs::path> inputs;
+  for (const RemeshTask& task : tasks) inputs.push_back(task.input);
+  prepare_folder(arguments.folder, std::array{RemeshRecord::csv_name, RemeshRecord::json_name},
+                 inputs);
+  std::size_t failed = 0;
+  {
+    RemeshingAll all(arguments, tasks);
+    const RemeshRecord& record = all.run();
+    failed = record.failed();
+    fmt::print("{}", record.summary());
+  }
+  if (interrupted()) throw InterruptedExit{};
+  if (failed > 0) {
+    throw InvalidInput(fmt::format("{} of {} have no remesh: see {}", grouped(failed),
+                                   counted(tasks.size(), "mesh", "meshes"),
+                                   (arguments.folder / RemeshRecord::csv_name).string()));
+  }
+}
+
+}  // namespace
+
+void add_remesh_all_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("remesh-all", "Remesh many meshes at once, each as remesh does");
+  const auto a = std::make_shared<RemeshAllArguments>();
+  command
+      ->add_option("INPUT", a->inputs, "Folders of meshes, or meshes: PLY, OBJ, OFF or STL files")
+      ->type_name("")
+      ->required();
+  add_fineness_options(*command, a->each.fineness);
+  folder_name(command->add_option("-o,--output", a->folder,
+                                  "Folder for the remeshes, each named as its input, and for\n"
+                                  "remesh-all.csv and remesh-all.json"))
+      ->required();
+  add_choice(*command, "--format", a->extension, format_names,
+             "Format of the remeshes (default: that of each input)");
+  command->add_flag("--reports", a->has_reports,
+                    "For each remesh a report, NAME.json, as remesh --report has it");
+  add_adapt_options(*command, a->each.sizing);
+  add_field_option(*command, a->each.field,
+                   "Triangles regular in the metric of the surface's own curvatures.\n"
+                   "Without other sizes, all edges have one length in it");
+  add_repair_options(*command, a->each.repair);
+  add_feature_options(*command, a->each.features);
+  add_no_fit_option(*command, a->each.no_fit);
+  add_drop_option(*command, a->each.carries_properties);
+  add_engine_option(*command, a->each.engine);
+  add_thread_options(*command, a->each.threads);
+  command->footer(
+      "A mesh that cannot be remeshed stops none of the others: its error is in the summary, and "
+      "the\n"
+      "exit status is 2. Ctrl-C ends the work; the remeshes written until then are whole.");
+  command->callback([a] { run_remesh_all(*a); });
+}
+
+}  // namespace geolloyd
