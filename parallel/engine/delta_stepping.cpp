@@ -6,7 +6,6 @@
 
 #include "core/base/loops.h"
 #include "parallel/threads/atomic_key.h"
-#include "parallel/threads/rounds.h"
 
 namespace geolloyd {
 namespace {
@@ -122,21 +121,19 @@ void DeltaStepping::add_seed(NodeId seed, RegionId region, std::vector<Key>& key
 
 template <class OnLowered>
 void DeltaStepping::settle(std::vector<Key>& keys, OnLowered&& on_lowered) {
-  constexpr std::size_t grain = 64;
+  constexpr std::size_t grain = 256;
   constexpr std::size_t few = 1024;  // more than these go back to all threads
-  std::size_t bucket = 0;
-  Rounds(scheduler_, grain)
-      .run(
-          [&] {
-            bucket = take_next_bucket(bucket);
-            return frontier_size();
-          },
-          [&](std::size_t begin, std::size_t end, std::size_t worker) {
-            Buckets& mine = buckets_[worker];
-            for_each_of_frontier(begin, end,
-                                 [&](const Entry& entry) { relax(entry, keys, mine, on_lowered); });
-            relax_alone(bucket, keys, mine, few, on_lowered);
-          });
+  for (std::size_t bucket = take_next_bucket(0); bucket != no_id;
+       bucket = take_next_bucket(bucket)) {
+    parallel_for_ranges(scheduler_, frontier_size(), grain,
+                        [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                          Buckets& mine = buckets_[worker];
+                          for_each_of_frontier(begin, end, [&](const Entry& entry) {
+                            relax(entry, keys, mine, on_lowered);
+                          });
+                          relax_alone(bucket, keys, mine, few, on_lowered);
+                        });
+  }
 }
 
 // Goes on with one bucket of a thread while fewer than `few` refill it.
@@ -167,6 +164,7 @@ void DeltaStepping::offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets
     if (offered >= before) continue;
     on_lowered(mine, u, before, offered);
     mine.push(bucket_of(offered), {offered, u});
+    prefetch_arcs(u);
   }
 }
 

@@ -67,6 +67,13 @@ class DeltaStepping {
 
   [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
 
+  // Of a node that will soon be relaxed.
+  void prefetch_arcs(NodeId v) const {
+    const ArcId first = graph_.first_arc[v];
+    __builtin_prefetch(&graph_.target[first]);
+    __builtin_prefetch(&graph_.length[first]);
+  }
+
   void begin();
   template <class OnLowered>
   void settle(std::vector<Key>& keys, OnLowered&& on_lowered);
@@ -92,7 +99,7 @@ class DeltaStepping {
   const Graph& graph_;
   std::uint32_t delta_;
   std::vector<Buckets> buckets_;  // per thread
-  bool keeps_buckets_ = true;  // the memory of those that are done
+  bool keeps_buckets_ = true;     // the memory of those that are done
 };
 
 }  // namespace geolloyd

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <functional>
 #include <new>
 #include <numeric>
 #include <ostream>
@@ -11,7 +9,6 @@
 #include <vector>
 
 #include "core/base/loops.h"
-#include "parallel/threads/rounds.h"
 
 namespace geolloyd {
 namespace {
@@ -116,66 +113,6 @@ TEST_P(SchedulerTest, WhatAWorkerThrowsReachesTheCallerOnceAllHaveEnded) {
                  std::bad_alloc);
     EXPECT_EQ(calls, std::vector<int>(scheduler_.threads(), 1));
   }
-}
-
-// Round by round, how often each item is visited; a round may begin only once the last has ended.
-TEST_P(SchedulerTest, RoundsCoverEverythingOnceAndFollowEachOther) {
-  const std::vector<std::size_t> counts = {3, 1000, 1, 64, 5000, 7, 8};
-  std::vector<std::vector<int>> visits;
-  std::atomic<std::size_t> left{0};
-  const auto next = [&] {
-    EXPECT_EQ(left, 0U);
-    const std::size_t count = visits.size() < counts.size() ? counts[visits.size()] : 0;
-    visits.emplace_back(count, 0);
-    left = count;
-    return count;
-  };
-  Rounds(scheduler_, 7).run(next, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-    ASSERT_LT(worker, scheduler_.threads());
-    for (std::size_t i = begin; i < end; ++i) ++visits.back()[i];
-    left -= end - begin;
-  });
-  ASSERT_EQ(visits.size(), counts.size() + 1);
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    EXPECT_EQ(visits[i], std::vector<int>(counts[i], 1)) << "round " << i;
-  }
-}
-
-TEST_P(SchedulerTest, AnErrorEndsTheRounds) {
-  for (const std::size_t bad_round : {0U, 1U, 5U}) {
-    std::size_t round = 0;
-    const auto next = [&]() -> std::size_t { return ++round < 10 ? 100 : 0; };
-    const auto fail_in_body = [&](std::size_t begin, std::size_t, std::size_t) {
-      if (round == bad_round + 1 && begin == 49) throw std::runtime_error("in the body");
-    };
-    EXPECT_THROW(Rounds(scheduler_, 7).run(next, fail_in_body), std::runtime_error);
-    round = 0;
-    const auto fail_in_next = [&]() -> std::size_t {
-      if (round++ == bad_round) throw std::runtime_error("between rounds");
-      return 100;
-    };
-    EXPECT_THROW(Rounds(scheduler_, 7).run(fail_in_next, [](auto, auto, auto) {}),
-                 std::runtime_error);
-  }
-}
-
-// The last worker first, and none before another has ended.
-class Backwards final : public Executor {
- public:
-  Backwards() : Executor(4) {}
-  void run(std::size_t workers, const std::function<void(std::size_t)>& work) override {
-    while (workers > 0) work(--workers);
-  }
-};
-
-TEST(Rounds, NeedNoTwoWorkersAtOnce) {
-  Backwards executor;
-  std::size_t rounds = 0;
-  std::size_t items = 0;
-  Rounds(executor, 10)
-      .run([&]() -> std::size_t { return ++rounds <= 3 ? 100 : 0; },
-           [&](std::size_t begin, std::size_t end, std::size_t) { items += end - begin; });
-  EXPECT_EQ(items, 300U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Teams, SchedulerTest,
