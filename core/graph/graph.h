@@ -44,6 +44,14 @@ struct Graph {
   }
 };
 
+/// Fetches what is needed when the arcs of a node are looked at, for a search that will do so a
+/// while after it has lowered the node.
+inline void prefetch_arcs(const Graph& graph, NodeId node) {
+  const ArcId first = graph.first_arc[node];
+  __builtin_prefetch(graph.target.data() + first);
+  __builtin_prefetch(graph.length.data() + first);
+}
+
 /// An arc before it is put in place at both ends. The length is in mesh units, a number, not
 /// negative.
 struct UndirectedArc {

@@ -15,13 +15,6 @@ struct NodeDistance {
   std::uint32_t distance;
 };
 
-/// What is needed when the node's arcs are looked at, which mostly is a while after it was lowered.
-inline void prefetch_arcs(const Graph& graph, NodeId node) {
-  const ArcId first = graph.first_arc[node];
-  __builtin_prefetch(graph.target.data() + first);
-  __builtin_prefetch(graph.length.data() + first);
-}
-
 /// Nodes whose arcs are still to be looked at, by distance. On a line of its own in the cache: each
 /// thread has its own.
 class alignas(64) DistanceBuckets {

@@ -164,7 +164,7 @@ void DeltaStepping::offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets
     if (offered >= before) continue;
     on_lowered(mine, u, before, offered);
     mine.push(bucket_of(offered), {offered, u});
-    prefetch_arcs(u);
+    prefetch_arcs(graph_, u);
   }
 }
 

@@ -67,13 +67,6 @@ class DeltaStepping {
 
   [[nodiscard]] std::size_t bucket_of(Key key) const { return distance_of(key) / delta_; }
 
-  // Of a node that will soon be relaxed.
-  void prefetch_arcs(NodeId v) const {
-    const ArcId first = graph_.first_arc[v];
-    __builtin_prefetch(&graph_.target[first]);
-    __builtin_prefetch(&graph_.length[first]);
-  }
-
   void begin();
   template <class OnLowered>
   void settle(std::vector<Key>& keys, OnLowered&& on_lowered);
