@@ -77,6 +77,9 @@ std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
     if (fs::is_directory(input)) {
       for (const fs::path& mesh : meshes_in(input)) add(mesh);
     } else {
+      if (!has_mesh_name(input) && !fs::exists(input)) {
+        throw InvalidInput(input.string() + ": no such folder");
+      }
       check_mesh_name(input);
       add(input);
     }
