@@ -132,7 +132,8 @@ TEST_F(RemeshingAll, RefusesWrongOptions) {
   expect_complaint(remesh_all(""), "how fine?");
   expect_complaint(remesh_all("-n 60 --vfield field.csv"), "belongs to one mesh");
   expect_complaint(remesh_all("-n 60 --map map.csv"), "--map");
-  expect_complaint(geolloyd_with("remesh-all nowhere -n 100 -o " + out().string()), "nowhere: no such folder");
+  expect_complaint(geolloyd_with("remesh-all nowhere -n 100 -o " + out().string()),
+                   "nowhere: no such folder");
 }
 
 // Whole files, or none.
