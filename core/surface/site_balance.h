@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/surface/cells.h"
 #include "core/surface/level_mesh.h"
 #include "core/surface/moments.h"
 #include "core/surface/surface_sites.h"

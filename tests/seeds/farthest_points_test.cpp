@@ -93,8 +93,9 @@ TEST(FarthestPoints, OfMeshesAreThoseChosenOneByOne) {
       Scheduler scheduler(threads);
       FarthestPoints farthest(made.graph, scheduler);
       for (const std::size_t count : {2U, 90U, 700U}) {
-        EXPECT_EQ(farthest.choose(components.nodes(0), first, count),
-                  std::vector(expected.begin(), expected.begin() + count));
+        EXPECT_EQ(
+            farthest.choose(components.nodes(0), first, count),
+            std::vector(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(count)));
       }
     }
   }

@@ -253,6 +253,7 @@ void run_remesh_all(const RemeshAllArguments& arguments) {
   const std::vector<RemeshTask> tasks = make_tasks(arguments);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   std::vector<fs::path> inputs;
+  inputs.reserve(tasks.size());
   for (const RemeshTask& task : tasks) inputs.push_back(task.input);
   prepare_folder(arguments.folder, std::array{RemeshRecord::csv_name, RemeshRecord::json_name},
                  inputs);

@@ -1,5 +1,6 @@
 #include "tools/report/relax_output.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -117,10 +118,12 @@ FileWriter* ResultFiles::find(RelaxOutput output) {
 std::vector<std::string> ResultFiles::commit() {
   files_.finish();
   std::vector<std::string> removed;
-  for (auto name = relax_output_names.rbegin(); name != relax_output_names.rend(); ++name) {
-    const std::filesystem::path path = path_of(arguments_, name->value);
+  std::vector<RelaxOutput> outputs = values_of(relax_output_names);
+  std::reverse(outputs.begin(), outputs.end());
+  for (const RelaxOutput output : outputs) {
+    const std::filesystem::path path = path_of(arguments_, output);
     std::error_code error;
-    if (arguments_.writes(name->value) || !std::filesystem::exists(path, error)) continue;
+    if (arguments_.writes(output) || !std::filesystem::exists(path, error)) continue;
     remove_file(path);
     removed.insert(removed.begin(), path.filename().string());
   }

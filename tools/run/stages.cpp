@@ -82,7 +82,7 @@ std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
   const Stopwatch watch;
   edges = {{}, {}, {}, std::move(edges.duplicates)};
   SchedulerRuntime runtime(scheduler);
-  const std::vector<SeedPlace> places =
+  std::vector<SeedPlace> places =
       find_first_places(mesh, edges.duplicates, nodes, options, runtime);
   start.seconds.seeds = watch.seconds();
   edges = find_edges(mesh, scheduler);
