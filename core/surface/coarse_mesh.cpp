@@ -20,6 +20,7 @@ class Coarsener {
     merge_within_runs();
     number_clusters();
     place_vertices();
+    run_start_ = std::vector<VertexId>();  // nobody needs it any more
     collect_triangles();
     connect(result_.mesh, executor_);
     keep_edges();
@@ -81,6 +82,7 @@ class Coarsener {
     parallel_for(executor_, root_.size(), small_items, [&](std::size_t v) {
       if (root_[v] != v) result_.vertex_of[v] = result_.vertex_of[root_[v]];
     });
+    root_ = std::vector<VertexId>();
     result_.mesh.positions.assign(roots.size(), Vec3::Zero());
     if (!finer_.resolution.empty()) result_.mesh.resolution.assign(roots.size(), 0);
     if (!finer_.metric.empty()) result_.mesh.metric.assign(roots.size(), Metric::zero());
@@ -93,7 +95,7 @@ class Coarsener {
     for_runs([&](VertexId begin, VertexId end) {
       for (VertexId v = begin; v < end; ++v) {
         double area = 0;
-        for (const TriangleId t : finer_.triangles_at(v)) area += finer_.area[t];
+        for (const TriangleId t : finer_.triangles_at(v)) area += finer_.area(t);
         area += least_area;
         weight[result_.vertex_of[v]] += area;
         result_.mesh.positions[result_.vertex_of[v]] += area * finer_.positions[v];
@@ -142,12 +144,6 @@ class Coarsener {
     packing.for_each(executor_, [&](std::size_t v, std::uint64_t first) {
       std::copy_n(by_smallest[v].begin(), kept[v],
                   mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first));
-    });
-    mesh.area.resize(mesh.triangles.size());
-    parallel_for(executor_, mesh.area.size(), small_items, [&](std::size_t t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      const std::vector<Vec3>& p = mesh.positions;
-      mesh.area[t] = norm(cross(p[b] - p[a], p[c] - p[a])) / 2;
     });
   }
 

@@ -177,11 +177,12 @@ std::vector<double> relative_curvatures(const Mesh& mesh, const SurfaceInput& in
   double whole = 0;
   for (TriangleId t = 0; t < fine.triangle_count(); ++t) {
     const auto& [a, b, c] = fine.triangles[t];
-    const double sum = fine.area[t] * ((square[a] + square[b] + square[c]) / 3);
+    const double of_triangle = fine.area(t);
+    const double sum = of_triangle * ((square[a] + square[b] + square[c]) / 3);
     whole += sum;
     for (const VertexId v : mesh.triangles[input.origin[t]]) {
       curvature[v] += sum;
-      area[v] += fine.area[t];
+      area[v] += of_triangle;
     }
   }
   const double mean = whole / fine.whole_area;

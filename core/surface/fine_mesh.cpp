@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 #include "core/base/bucketing.h"
 
@@ -90,6 +91,24 @@ void find_neighbours(FineMesh& mesh, Executor& executor) {
   });
 }
 
+// Of all triangles, in their order.
+double sum_in_order(const FineMesh& mesh, Executor& executor,
+                    double (FineMesh::*of_triangle)(TriangleId) const) {
+  std::vector<double> values(mesh.triangle_count());
+  parallel_for(executor, values.size(), small_items,
+               [&](std::size_t t) { values[t] = (mesh.*of_triangle)(static_cast<TriangleId>(t)); });
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+void find_whole(FineMesh& mesh, Executor& executor) {
+  mesh.whole_area = sum_in_order(mesh, executor, &FineMesh::area);
+  mesh.whole_sized_area = mesh.whole_area;
+  mesh.whole_mass = mesh.whole_area;
+  if (mesh.resolution.empty()) return;
+  mesh.whole_sized_area = sum_in_order(mesh, executor, &FineMesh::sized_area);
+  mesh.whole_mass = sum_in_order(mesh, executor, &FineMesh::mass);
+}
+
 }  // namespace
 
 void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges) {
@@ -106,16 +125,9 @@ void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges)
 }
 
 void connect(FineMesh& mesh, Executor& executor) {
-  mesh.whole_area = 0;
-  mesh.whole_sized_area = 0;
-  mesh.whole_mass = 0;
   mesh.largest_trace = 1;
   for (const Metric& m : mesh.metric) mesh.largest_trace = std::max(mesh.largest_trace, m.trace());
-  for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
-    mesh.whole_area += mesh.area[t];
-    mesh.whole_sized_area += mesh.sized_area(t);
-    mesh.whole_mass += mesh.mass(t);
-  }
+  find_whole(mesh, executor);
   find_triangles_at_vertices(mesh, executor);
   find_neighbours(mesh, executor);
 }

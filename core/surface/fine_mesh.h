@@ -23,7 +23,6 @@ inline BoundingBox unit_box() {
 struct FineMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::vector<double> area;        ///< per triangle; 0 where it stands for no surface
   std::vector<double> resolution;  ///< per vertex: how many times shorter than the spacing edges
                                    ///< are to be there; empty: 1 everywhere
   std::vector<Metric> metric;      ///< per vertex, with the determinant 1 along the surface: the
@@ -59,6 +58,11 @@ struct FineMesh {
     const auto& [a, b, c] = triangles[t];
     return resolution.empty() ? 1 : (resolution[a] + resolution[b] + resolution[c]) / 3;
   }
+  /// Found anew each time: whoever asks has its corners at hand, and a table would be large.
+  [[nodiscard]] double area(TriangleId t) const {
+    const auto& [a, b, c] = triangles[t];
+    return norm(cross(positions[b] - positions[a], positions[c] - positions[a])) / 2;
+  }
   /// The mean of its corners'. Of a mesh with a metric.
   [[nodiscard]] Metric metric_of(TriangleId t) const {
     const auto& [a, b, c] = triangles[t];
@@ -81,18 +85,18 @@ struct FineMesh {
   /// A triangle's area in proportion to the number of cells on it.
   [[nodiscard]] double sized_area(TriangleId t) const {
     const double r = resolution_of(t);
-    return area[t] * (r * r);
+    return area(t) * (r * r);
   }
   /// By which the energy counts a triangle: its area times a density, the fourth power of the
   /// resolution, because the cells of a centroidal tessellation of the plane have sizes in
   /// proportion to density^(-1/4) (Du, Faber and Gunzburger 1999, 6.4; Newman 1982).
   [[nodiscard]] double mass(TriangleId t) const {
     const double r = resolution_of(t);
-    return area[t] * ((r * r) * (r * r));
+    return area(t) * ((r * r) * (r * r));
   }
 };
 
-/// Positions, triangles, areas and resolution are there already; fills in what follows from them.
+/// Positions, triangles and resolution are there already; fills in what follows from them.
 void connect(FineMesh& mesh, Executor& executor = sequential());
 
 /// Closes edges (ascending within): the free sites beyond them have no share of the triangles

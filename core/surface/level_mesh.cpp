@@ -49,6 +49,7 @@ LevelMeshes::LevelMeshes(const DividedSurface& surface, std::span<const double> 
     : surface_(surface) {
   levels_.reserve(spacings.size() + 1);
   coarse_.reserve(spacings.size());
+  patch_.reserve(spacings.size());
   levels_.push_back(fine_level(surface));
   for (const double spacing : spacings) {
     add_coarser(spacing, executor);
@@ -74,11 +75,11 @@ void LevelMeshes::add_coarser(double spacing, Executor& executor) {
   if (static_cast<double>(coarse.mesh.vertex_count()) > worth_while * before) return;
 
   LevelMesh level;
-  level.patch.resize(coarse.mesh.vertex_count());
+  std::vector<PatchId> patch(coarse.mesh.vertex_count());
   level.is_on_chain.resize(coarse.mesh.vertex_count());
   level.chain.resize(coarse.mesh.vertex_count());
   for (std::size_t v = 0; v < coarse.vertex_of.size(); ++v) {
-    level.patch[coarse.vertex_of[v]] = finer.patch[v];
+    patch[coarse.vertex_of[v]] = finer.patch[v];
     level.chain[coarse.vertex_of[v]] = finer.chain[v];
     level.is_on_chain[coarse.vertex_of[v]] = finer.is_on_chain[v];
   }
@@ -88,6 +89,8 @@ void LevelMeshes::add_coarser(double spacing, Executor& executor) {
   close_features(coarse);
   coarse_.push_back(std::move(coarse));
   level.mesh = &coarse_.back().mesh;
+  patch_.push_back(std::move(patch));
+  level.patch = patch_.back();
   levels_.push_back(std::move(level));
 }
 
@@ -108,11 +111,10 @@ void LevelMeshes::close_features(CoarseMesh& coarse) const {
   close_edges(coarse.mesh, edges);
 }
 
-void LevelMeshes::forget_coarser(const LevelMesh& level) {
-  for (auto l = static_cast<std::size_t>(&level - levels_.data()) + 1; l < levels_.size(); ++l) {
-    coarse_[l - 1] = {};
-    levels_[l] = {};
-  }
+void LevelMeshes::forget_coarser() {
+  coarse_ = std::vector<CoarseMesh>();
+  patch_ = std::vector<std::vector<PatchId>>();
+  levels_.resize(1);
 }
 
 std::vector<VertexId> LevelMeshes::map(const LevelMesh& finer, const LevelMesh& coarser) const {

@@ -12,7 +12,7 @@ namespace geolloyd {
 /// A mesh on which the sites of one level move: the fine mesh, or a coarser one.
 struct LevelMesh {
   const FineMesh* mesh = nullptr;
-  std::vector<PatchId> patch;             ///< per vertex
+  std::span<const PatchId> patch;         ///< per vertex; somebody else's
   std::vector<VertexId> chain_vertices;   ///< those that stand for Chains::vertices
   std::vector<std::uint8_t> is_on_chain;  ///< per vertex: stands for one of them
   std::vector<std::uint32_t> chain;       ///< per vertex: its chain or corner, from 1; else 0
@@ -31,8 +31,8 @@ class LevelMeshes {
   [[nodiscard]] const LevelMesh& fine() const { return levels_[0]; }
   /// For sites so far apart.
   [[nodiscard]] const LevelMesh& at(std::size_t spacing) const { return levels_[of_[spacing]]; }
-  /// Gives back the memory of those coarser than this one, which nobody needs any more.
-  void forget_coarser(const LevelMesh& level);
+  /// Gives back the memory of all coarser ones.
+  void forget_coarser();
   /// Per vertex of `finer`: what stands for it in `coarser`.
   [[nodiscard]] std::vector<VertexId> map(const LevelMesh& finer, const LevelMesh& coarser) const;
 
@@ -41,9 +41,10 @@ class LevelMeshes {
   void close_features(CoarseMesh& coarse) const;
 
   const DividedSurface& surface_;
-  std::vector<LevelMesh> levels_;   // from fine to coarse
-  std::vector<CoarseMesh> coarse_;  // of level i + 1, made of level i
-  std::vector<std::size_t> of_;     // per spacing: its level
+  std::vector<LevelMesh> levels_;            // from fine to coarse
+  std::vector<CoarseMesh> coarse_;           // of level i + 1, made of level i
+  std::vector<std::vector<PatchId>> patch_;  // the same levels'
+  std::vector<std::size_t> of_;              // per spacing: its level
 };
 
 }  // namespace geolloyd

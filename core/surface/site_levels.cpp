@@ -67,11 +67,7 @@ class LevelByLevel {
       refine(level);
       settle(level);
     }
-    if (on_ != &meshes_.fine()) {
-      move_to(meshes_.fine());
-      relaxer_.release_engine();
-      meshes_.forget_coarser(*on_);
-    }
+    if (on_ != &meshes_.fine()) move_to_fine();
     balance(0);
     return {std::move(state_), std::move(levels_[0])};
   }
@@ -141,13 +137,14 @@ class LevelByLevel {
     label_chain_vertices(*on_, chain_sites_, state_.labels);
   }
 
-  // The same sites.
-  void move_to(const LevelMesh& next) {
-    const std::vector<VertexId> stands_for = meshes_.map(next, *on_);
-    std::vector<RegionId> labels(stands_for.size());
-    for (std::size_t v = 0; v < labels.size(); ++v) labels[v] = state_.labels[stands_for[v]];
+  // The same sites. Nobody needs the other meshes any more.
+  void move_to_fine() {
+    relaxer_.release_engine();
+    std::vector<std::uint32_t> labels = meshes_.map(meshes_.fine(), *on_);
+    for (std::uint32_t& label : labels) label = state_.labels[label];
     state_.labels = std::move(labels);
-    on_ = &next;
+    on_ = &meshes_.fine();
+    meshes_.forget_coarser();
     label_chain_vertices(*on_, chain_sites_, state_.labels);
   }
 

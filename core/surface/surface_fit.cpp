@@ -41,14 +41,14 @@ class Samples {
   [[nodiscard]] Sample operator[](std::size_t i) const {
     const std::vector<Vec3>& p = fine_.positions;
     if (i < centroids_) {
-      const std::size_t t = i * stride_;
+      const auto t = static_cast<TriangleId>(i * stride_);
       const auto& [a, b, c] = fine_.triangles[t];
       const double share = has_corners_ ? 0.75 : static_cast<double>(stride_);
-      return {(p[a] + p[b] + p[c]) / 3, share * fine_.area[t], labels_[a]};
+      return {(p[a] + p[b] + p[c]) / 3, share * fine_.area(t), labels_[a]};
     }
     const auto v = static_cast<VertexId>(i - centroids_);
     double area = 0;
-    for (const TriangleId t : fine_.triangles_at(v)) area += fine_.area[t];
+    for (const TriangleId t : fine_.triangles_at(v)) area += fine_.area(t);
     return {p[v], area / 12, labels_[v]};
   }
 

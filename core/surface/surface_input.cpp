@@ -114,14 +114,10 @@ class SurfaceInputBuilder {
           put(std::min({given[t][0], given[t][1], given[t][2]}), static_cast<TriangleId>(t));
         });
     fine.triangles.resize(given.size());
-    fine.area.resize(given.size());
     result_.origin.resize(given.size());
     parallel_for(executor_, given.size(), small_items, [&](std::size_t i) {
       const TriangleId t = by_smallest.entry[i];
-      const auto& [a, b, c] = given[t];
-      const std::vector<Vec3>& p = fine.positions;
       fine.triangles[i] = given[t];
-      fine.area[i] = norm(cross(p[b] - p[a], p[c] - p[a])) / 2;
       result_.origin[i] = usable_.origin[t];
     });
     usable_ = {};

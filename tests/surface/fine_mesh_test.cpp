@@ -50,7 +50,10 @@ void expect_connected_right(const FineMesh& mesh) {
   double area = 0;
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mesh.across[t][c], brute_across(mesh, t, c)) << t;
-    area += mesh.area[t];
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::vector<Vec3>& p = mesh.positions;
+    EXPECT_EQ(mesh.area(t), norm(cross(p[b] - p[a], p[c] - p[a])) / 2);
+    area += mesh.area(t);
   }
   EXPECT_EQ(mesh.whole_area, area);
 }
@@ -59,10 +62,6 @@ FineMesh connected(Mesh mesh) {
   FineMesh fine;
   fine.positions = std::move(mesh.positions);
   fine.triangles = std::move(mesh.triangles);
-  for (const auto& [a, b, c] : fine.triangles) {
-    const std::vector<Vec3>& p = fine.positions;
-    fine.area.push_back(norm(cross(p[b] - p[a], p[c] - p[a])) / 2);
-  }
   connect(fine);
   return fine;
 }
