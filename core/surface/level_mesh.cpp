@@ -34,12 +34,8 @@ std::uint8_t grid_level_for(double distance) {
 }  // namespace
 
 LevelMesh fine_level(const DividedSurface& surface) {
-  LevelMesh level{&surface.input.fine,
-                  surface.patches.of_vertex,
-                  surface.chains.vertices,
-                  {},
-                  number_chains(surface)};
-  level.is_on_chain.assign(level.chain.size(), 0);
+  LevelMesh level{&surface.input.fine, surface.patches.of_vertex, surface.chains.vertices, {}};
+  level.is_on_chain.assign(level.patch.size(), 0);
   for (const VertexId v : level.chain_vertices) level.is_on_chain[v] = 1;
   return level;
 }
@@ -51,13 +47,15 @@ LevelMeshes::LevelMeshes(const DividedSurface& surface, std::span<const double> 
   coarse_.reserve(spacings.size());
   patch_.reserve(spacings.size());
   levels_.push_back(fine_level(surface));
+  std::vector<std::uint32_t> chain = number_chains(surface);
   for (const double spacing : spacings) {
-    add_coarser(spacing, executor);
+    add_coarser(spacing, chain, executor);
     of_.push_back(levels_.size() - 1);
   }
 }
 
-void LevelMeshes::add_coarser(double spacing, Executor& executor) {
+void LevelMeshes::add_coarser(double spacing, std::vector<std::uint32_t>& chain,
+                              Executor& executor) {
   constexpr double least_sites = 4;
   constexpr double worth_while = 0.6;  // as many vertices, at most
   std::vector<double> distance_in;
@@ -70,17 +68,17 @@ void LevelMeshes::add_coarser(double spacing, Executor& executor) {
     grid_level[v] = grid_level_for(distance_in[finer.patch[v]] /
                                    finer.mesh->finest_at(static_cast<VertexId>(v)));
   });
-  CoarseMesh coarse = coarsen(*finer.mesh, {finer.chain, grid_level}, executor);
+  CoarseMesh coarse = coarsen(*finer.mesh, {chain, grid_level}, executor);
   const auto before = static_cast<double>(finer.mesh->vertex_count());
   if (static_cast<double>(coarse.mesh.vertex_count()) > worth_while * before) return;
 
   LevelMesh level;
   std::vector<PatchId> patch(coarse.mesh.vertex_count());
   level.is_on_chain.resize(coarse.mesh.vertex_count());
-  level.chain.resize(coarse.mesh.vertex_count());
+  std::vector<std::uint32_t> coarse_chain(coarse.mesh.vertex_count());
   for (std::size_t v = 0; v < coarse.vertex_of.size(); ++v) {
     patch[coarse.vertex_of[v]] = finer.patch[v];
-    level.chain[coarse.vertex_of[v]] = finer.chain[v];
+    coarse_chain[coarse.vertex_of[v]] = chain[v];
     level.is_on_chain[coarse.vertex_of[v]] = finer.is_on_chain[v];
   }
   for (const VertexId v : finer.chain_vertices) {
@@ -92,6 +90,7 @@ void LevelMeshes::add_coarser(double spacing, Executor& executor) {
   patch_.push_back(std::move(patch));
   level.patch = patch_.back();
   levels_.push_back(std::move(level));
+  chain = std::move(coarse_chain);
 }
 
 // What is left of them.

@@ -15,7 +15,6 @@ struct LevelMesh {
   std::span<const PatchId> patch;         ///< per vertex; somebody else's
   std::vector<VertexId> chain_vertices;   ///< those that stand for Chains::vertices
   std::vector<std::uint8_t> is_on_chain;  ///< per vertex: stands for one of them
-  std::vector<std::uint32_t> chain;       ///< per vertex: its chain or corner, from 1; else 0
 };
 
 /// That of the last level.
@@ -37,7 +36,8 @@ class LevelMeshes {
   [[nodiscard]] std::vector<VertexId> map(const LevelMesh& finer, const LevelMesh& coarser) const;
 
  private:
-  void add_coarser(double spacing, Executor& executor);
+  // `chain`: per vertex of the coarsest level, its corner, or else its chain, from 1; or 0.
+  void add_coarser(double spacing, std::vector<std::uint32_t>& chain, Executor& executor);
   void close_features(CoarseMesh& coarse) const;
 
   const DividedSurface& surface_;

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/base/random.h"
 #include "core/surface/cell_labels.h"
@@ -29,19 +30,19 @@ SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
 void SiteRelaxer::sweep(const LevelMesh& level, LabelledSites& state) {
   SurfaceEngine& engine = engine_for(level);
   keep_one_piece(*level.mesh, state.sites.size(), level.is_on_chain, state.labels, executor_);
-  engine.assign(state.labels, level.is_on_chain);
+  engine.assign(std::move(state.labels), level.is_on_chain);
   engine.evaluate(state.sites.positions);
   state.labels = engine.labels();
 }
 
 double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations) {
   SurfaceEngine& engine = engine_for(level);
-  engine.assign(state.labels, level.is_on_chain);
   const std::size_t count = state.sites.size();
   if (steps_.empty()) watch_ = Stopwatch();
   std::size_t iteration = 0;
   const std::vector<double> resolution =
       resolution_at_sites(*level.mesh, state.sites.size(), state.labels);
+  engine.assign(std::move(state.labels), level.is_on_chain);
   DescentOptions options;
   options.stays = state.sites.stays;
   options.most_iterations = is_interrupted_ ? 0 : iterations;
