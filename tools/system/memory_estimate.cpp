@@ -75,9 +75,9 @@ Bytes engine_bytes(const RunSize& s) {
          100 * s.nodes / std::max<Bytes>(s.seeds, 1);
 }
 
-// Measured: 210 to 270 bytes for a vertex of the surface, with coarse meshes, labels and dual.
+// Measured: 180 to 240 bytes for a vertex of the surface, with coarse meshes, labels and dual.
 constexpr Bytes moving_sites(Bytes fine_vertices) {
-  return 280 * fine_vertices;
+  return 250 * fine_vertices;
 }
 
 // Components, samplers, keys; or an engine and the arcs of a coarse graph.
