@@ -49,7 +49,8 @@ Bytes graph_bytes(const RunSize& s) {
   return 4 * (s.vertices + s.triangles) + 36 * s.nodes + 16 * s.links;
 }
 
-// Links; rows of them, which become arcs; and places in spatial order, counts, masses, the
+// Links; rows of them, which become arcs, with a fifth that the allocator keeps from one to the
+// next; and places in spatial order, counts, masses, the
 // breadth-first tree. Edges go when links are there.
 Bytes building_graph(const RunSize& s) {
   const Bytes spaces = s.has_field ? 64 * (s.vertices + s.triangles) : 0;  // TangentSpace
@@ -59,7 +60,7 @@ Bytes building_graph(const RunSize& s) {
   const Bytes crosses = s.has_cross_field ? 340 * s.vertices + 180 * s.edges : 0;
   const Bytes nodes = 4 * (s.vertices + s.triangles) + 80 * s.nodes;
   const Bytes with_edges = edge_bytes(s.edges, s.triangles) + nodes + 20 * s.links;
-  return spaces + std::max({with_edges, nodes + 36 * s.links,
+  return spaces + std::max({with_edges, nodes + 44 * s.links,
                             edge_bytes(s.edges, s.triangles) + std::max(curvature, crosses)});
 }
 
