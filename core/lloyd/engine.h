@@ -20,10 +20,15 @@ struct Microstep {
   friend bool operator==(const Microstep&, const Microstep&) = default;
 };
 
+/// Per region: where its seed stands after each of its moves of one macrostep, in their order;
+/// nothing where it stays. The n-th microstep makes the n-th move of each.
+using SeedTrails = std::vector<std::vector<NodeId>>;
+
 struct MacrostepOptions {
   std::span<const std::uint8_t> keeps_seed;  ///< per region: not 0 where the seed must stay
   bool extended = true;                      ///< heuristic of the extended mode
   bool microstep_skip = true;                ///< do not search a region again whose seed stayed
+  SeedTrails* trails = nullptr;              ///< null: not wanted
 };
 
 /// The coarse kernels the Lloyd loop (relaxation.h) is made of. Engines differ in how they work,

@@ -83,15 +83,21 @@ std::vector<Microstep> PairedEngine::macrostep(std::vector<NodeId>& seeds,
     expected = expected_.macrostep(seeds, options, ask);
   }
   std::vector<Microstep> tested;
+  SeedTrails trails;
   {
+    MacrostepOptions same = options;
+    if (options.trails != nullptr) same.trails = &trails;
     const Timed timed(tested_seconds_);
-    tested = tested_.macrostep(others, options, ask);
+    tested = tested_.macrostep(others, same, ask);
   }
   if (!goes_on) return expected;
   compare<NodeId>("seed after the macrostep", seeds, others, before);
   if (expected != tested) {
     differ(no_id, "number of microsteps, or what they moved", std::to_string(expected.size()),
            std::to_string(tested.size()));
+  }
+  if (options.trails != nullptr && *options.trails != trails) {
+    differ(no_id, "trails of seeds", "those of the one engine", "others");
   }
   ++macrosteps_;
   return expected;

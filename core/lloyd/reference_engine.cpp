@@ -55,6 +55,7 @@ class ReferenceEngine final : public Engine {
     std::vector<RegionId> searched(seeds.size());
     std::iota(searched.begin(), searched.end(), RegionId{0});
     node_score_.assign(graph_.node_count(), never_scored);
+    if (options.trails != nullptr) options.trails->assign(seeds.size(), {});
     sum_settled_subtrees();
     score_seeds(seeds, searched);
     for (std::uint64_t visits = 0;; visits = settled_.size()) {
@@ -107,6 +108,7 @@ class ReferenceEngine final : public Engine {
       const NodeId next = precise_candidate(view, node_score_, seeds[r]);
       if (next == no_id) continue;
       seeds[r] = next;
+      if (options.trails != nullptr) (*options.trails)[r].push_back(next);
       moved.push_back(r);
     }
     return moved;

@@ -20,11 +20,26 @@ Score lowest_score(const std::vector<Step>& steps) {
   return lowest;
 }
 
+bool has_converged(const std::vector<Step>& steps) {
+  if (steps.empty()) return false;
+  const Step& last = steps.back();
+  return last.phase == Phase::improvement ||
+         (last.phase == Phase::precise && last.seeds_moved == 0);
+}
+
 class LloydLoop {
  public:
   LloydLoop(const Graph& graph, Engine& engine, RelaxationState& state,
-            const RelaxationOptions& options, const ProgressCallback& observer)
-      : graph_(graph), engine_(engine), state_(state), options_(options), observer_(observer) {}
+            const RelaxationOptions& options, const ProgressCallback& observer,
+            SeedTrails* trails = nullptr)
+      : graph_(graph),
+        engine_(engine),
+        state_(state),
+        options_(options),
+        observer_(observer),
+        trails_(trails) {
+    if (trails != nullptr) trails->clear();
+  }
 
   Relaxation run(const StepCallback& boundary) {
     std::optional<StopReason> end;
@@ -34,17 +49,9 @@ class LloydLoop {
     return finish(*end);
   }
 
- private:
-  // A step, and what it makes of the state if it is taken to its end.
-  struct Attempt {
-    Step step;
-    std::vector<NodeId> seeds;
-    std::vector<Score> scores;  // per region at its start, precise phase only
-  };
-
   // Returns why there is no next step, or none to its end.
   std::optional<StopReason> take_step() {
-    const Phase phase = next_phase();
+    const Phase phase = next_phase(state_, options_);
     if (phase == Phase::improvement && is_improved_enough()) return StopReason::converged;
     if (phase == Phase::precise && next_number(phase) > options_.max_macrosteps)
       return StopReason::limit;
@@ -62,24 +69,13 @@ class LloydLoop {
     return std::nullopt;
   }
 
-  // The greedy phase ends with the first step in which no seed moves; a seed moves to no node
-  // twice, so one comes.
-  [[nodiscard]] Phase next_phase() const {
-    const std::vector<Step>& steps = state_.steps;
-    const bool is_over =
-        !steps.empty() && (steps.back().phase != Phase::greedy || steps.back().seeds_moved == 0);
-    if (has_converged()) return Phase::improvement;
-    const bool is_greedy =
-        options_.greedy != GreedyMode::off && !is_over && steps.size() < options_.max_greedy_steps;
-    return is_greedy ? Phase::greedy : Phase::precise;
-  }
-
-  [[nodiscard]] bool has_converged() const {
-    if (state_.steps.empty()) return false;
-    const Step& last = state_.steps.back();
-    return last.phase == Phase::improvement ||
-           (last.phase == Phase::precise && last.seeds_moved == 0);
-  }
+ private:
+  // A step, and what it makes of the state if it is taken to its end.
+  struct Attempt {
+    Step step;
+    std::vector<NodeId> seeds;
+    std::vector<Score> scores;  // per region at its start, precise phase only
+  };
 
   [[nodiscard]] bool is_improved_enough() const {
     std::uint32_t rounds = 0;
@@ -182,7 +178,9 @@ class LloydLoop {
     const Phase phase = next_.step.phase;
     const std::uint32_t number = next_number(phase);
     const std::vector<Microstep> microsteps = engine_.macrostep(
-        next_.seeds, {keeps_seed, extended(), options_.microstep_skip},
+        next_.seeds,
+        {keeps_seed, extended(), options_.microstep_skip,
+         phase == Phase::precise ? trails_ : nullptr},
         [&](std::uint32_t seeds_moving) {
           goes_on = goes_on && notify({phase, number, seeds_moving, next_.step.energy});
           return goes_on;
@@ -272,12 +270,31 @@ class LloydLoop {
   RelaxationState& state_;
   const RelaxationOptions& options_;
   const ProgressCallback& observer_;
+  SeedTrails* trails_;
   bool is_partitioned_ = false;  // the engine holds the partition of the seeds as they are
   Attempt next_;
   bool is_cut_short_ = false;
 };
 
 }  // namespace
+
+// The greedy phase ends with the first step in which no seed moves; a seed moves to no node twice,
+// so one comes.
+Phase next_phase(const RelaxationState& state, const RelaxationOptions& options) {
+  const std::vector<Step>& steps = state.steps;
+  const bool is_over =
+      !steps.empty() && (steps.back().phase != Phase::greedy || steps.back().seeds_moved == 0);
+  if (has_converged(steps)) return Phase::improvement;
+  const bool is_greedy =
+      options.greedy != GreedyMode::off && !is_over && steps.size() < options.max_greedy_steps;
+  return is_greedy ? Phase::greedy : Phase::precise;
+}
+
+std::optional<StopReason> take_step(const Graph& graph, Engine& engine, RelaxationState& state,
+                                    const RelaxationOptions& options,
+                                    const ProgressCallback& observer, SeedTrails* trails) {
+  return LloydLoop(graph, engine, state, options, observer, trails).take_step();
+}
 
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
                  const RelaxationOptions& options, const ProgressCallback& observer,

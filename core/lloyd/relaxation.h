@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/graph/graph.h"
@@ -82,5 +83,17 @@ Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
                  const RelaxationOptions& options, const ProgressCallback& observer = {},
                  const StepCallback& boundary = {});
+
+/// The phase that the next step belongs to, if there is one.
+Phase next_phase(const RelaxationState& state, const RelaxationOptions& options);
+
+/// Takes the next step to its end: relax() takes all there are. Returns why there is none, or why
+/// it was not taken to its end, and then leaves the seeds and steps of `state`; a relax() from that
+/// state gives the result. `trails`, if not null, become those of a macrostep of the precise phase,
+/// and of any other step nothing.
+std::optional<StopReason> take_step(const Graph& graph, Engine& engine, RelaxationState& state,
+                                    const RelaxationOptions& options,
+                                    const ProgressCallback& observer = {},
+                                    SeedTrails* trails = nullptr);
 
 }  // namespace geolloyd

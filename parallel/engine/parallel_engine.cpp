@@ -67,6 +67,7 @@ class ParallelEngine final : public Engine {
     const bool trusted = free_.forget();  // until all regions are settled
     const std::vector<RegionId> active = active_regions(options);
     std::vector<std::uint32_t> moves(seeds.size(), 0);
+    if (options.trails != nullptr) options.trails->assign(seeds.size(), {});
     std::atomic<bool> stopped = false;
     std::atomic<std::uint32_t> moving = static_cast<std::uint32_t>(active.size());
     goes_on_ = [&, caller = std::this_thread::get_id()] {
@@ -76,7 +77,7 @@ class ParallelEngine final : public Engine {
     goes_on_();  // at least once
     const auto settle = [&](RegionId r, Scheduler* shared, RegionRelaxation& relaxation) {
       if (stopped) return;
-      moves[r] = settle_region(r, seeds[r], options.extended, shared, relaxation);
+      moves[r] = settle_region(r, seeds[r], options, shared, relaxation);
       --moving;
     };
     const std::size_t large = count_large(active);
@@ -125,10 +126,12 @@ class ParallelEngine final : public Engine {
   }
 
   // Moves `seed` to where it rests and returns in how many moves.
-  std::uint32_t settle_region(RegionId r, NodeId& seed, bool extended, Scheduler* shared,
-                              RegionRelaxation& relaxation) {
+  std::uint32_t settle_region(RegionId r, NodeId& seed, const MacrostepOptions& options,
+                              Scheduler* shared, RegionRelaxation& relaxation) {
     relaxation.gather(graph_, free_.partition().key, free_.region_nodes().of(r), local_of_, shared);
-    const auto [rest, moves] = relaxation.relax(seed, free_.totals().score[r], extended);
+    const auto [rest, moves] =
+        relaxation.relax(seed, free_.totals().score[r], options.extended,
+                         options.trails != nullptr ? &(*options.trails)[r] : nullptr);
     if (rest != seed) relaxation.scatter_keys(r, free_.keys());
     seed = rest;
     return moves;

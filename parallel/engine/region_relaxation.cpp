@@ -40,7 +40,8 @@ void RegionRelaxation::scatter_keys(RegionId region, std::vector<Key>& keys) {
   laps_.end(seconds_.gathering);
 }
 
-RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool extended) {
+RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool extended,
+                                                  std::vector<NodeId>* trail) {
   extended_ = extended;
   const auto place = std::lower_bound(local_.node.begin(), local_.node.end(), seed);
   auto at = static_cast<NodeId>(place - local_.node.begin());
@@ -62,6 +63,7 @@ RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool
     }
     at = next;
     ++moves;
+    if (trail != nullptr) trail->push_back(local_.node[at]);
   }
   laps_.end(seconds_.movement);
   return {local_.node[at], moves};

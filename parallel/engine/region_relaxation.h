@@ -46,8 +46,9 @@ class RegionRelaxation {
   void gather(const Graph& graph, const std::vector<Key>& keys, std::span<const NodeId> nodes,
               std::vector<NodeId>& local_of, Scheduler* shared);
   /// Of the region gathered last, from `seed`, whose keys and score these are. If it may not go on
-  /// until the seed rests, that is anywhere.
-  Outcome relax(NodeId seed, Score score, bool extended);
+  /// until the seed rests, that is anywhere. Adds to `trail`, unless that is null, where the seed
+  /// is after each move.
+  Outcome relax(NodeId seed, Score score, bool extended, std::vector<NodeId>* trail);
   /// Writes back the keys of where the seed is now; other threads may be reading those of others.
   void scatter_keys(RegionId region, std::vector<Key>& keys);
 

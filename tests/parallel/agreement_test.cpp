@@ -260,10 +260,15 @@ TEST(Agreement, OnSeedsThatJump) {
           const std::vector<std::uint8_t> keeps_seed(seeds.size(), turn % 3 == 0 ? 1 : 0);
           std::vector<NodeId> others = seeds;
           const auto go_on = [](std::uint32_t) { return true; };
-          const MacrostepOptions options{keeps_seed, turn % 2 == 0, true};
-          ASSERT_EQ(reference->macrostep(seeds, options, go_on),
-                    parallel->macrostep(others, options, go_on));
+          MacrostepOptions options{keeps_seed, turn % 2 == 0, true};
+          SeedTrails expected_trails;
+          SeedTrails trails;
+          options.trails = &expected_trails;
+          const std::vector<Microstep> expected = reference->macrostep(seeds, options, go_on);
+          options.trails = &trails;
+          ASSERT_EQ(expected, parallel->macrostep(others, options, go_on));
           ASSERT_EQ(seeds, others);
+          ASSERT_EQ(expected_trails, trails);
           break;
         }
         case 3:  // more of them where they are
