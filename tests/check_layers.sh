@@ -15,12 +15,12 @@ function table() {
          "core/seeds core/lloyd core/remesh core/surface core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render " \
-         "tools/system tools/files tools/cli tools/run tools/report tools/experiments " \
+         "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/repair tests/formats tests/shapes tests/graph " \
          "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/start tests/library tests/parallel tests/evaluation " \
-         "tests/program tests/golden tests/work tests/fuzz"
+         "tests/program tests/view tests/golden tests/work tests/fuzz"
 }
 
 # What no line of a room may do, but in the rooms named last.
