@@ -104,6 +104,10 @@ std::string bad_corner_count(std::int64_t count) {
   return "the face has " + std::to_string(count) + " corners; it needs at least 3";
 }
 
+std::string bad_list_length(std::int64_t count) {
+  return "a list has the negative length " + std::to_string(count);
+}
+
 std::string bad_index(std::int64_t index, std::size_t vertex_count) {
   return "vertex index " + std::to_string(index) + " is out of range; there are " +
          std::to_string(vertex_count) + " vertices, counted from 0";

@@ -52,6 +52,7 @@ ParsedMesh read_stl(std::string_view bytes, std::string_view name);
 std::string too_many(std::size_t vertices, std::size_t faces);
 std::string bad_coordinate(double coordinate);
 std::string bad_corner_count(std::int64_t count);
+std::string bad_list_length(std::int64_t count);
 std::string bad_index(std::int64_t index, std::size_t vertex_count);
 
 /// Fails where the rest of the text cannot hold `count` lines of `words` words each: nobody should

@@ -13,36 +13,64 @@ namespace {
 
 constexpr char comment = '#';
 
-// "OFF" behind what every vertex has besides its position: ST, C, N in any order. "4OFF" and "nOFF"
-// have other positions.
+// What stands before the vertices.
+struct OffHeader {
+  std::string_view keyword;  // "OFF" behind what every vertex has: ST, C, N in any order
+  std::int64_t vertices = 0;
+  std::int64_t faces = 0;
+};
+
+// "4OFF" and "nOFF" have other positions. Where the first word is a number the keyword is missing.
 std::string_view read_keyword(TextCursor& text) {
-  text.skip_empty_lines(comment);
+  const TextCursor before = text;
   const std::string_view keyword = text.word();
+  if (parse_integer(keyword)) {
+    text = before;
+    return {};
+  }
   const bool is_known =
       keyword.ends_with("OFF") && keyword.find_first_not_of("STCN") == keyword.size() - 3;
   if (!is_known) text.fail_expected("'OFF' with at most ST, C and N before it", keyword);
   return keyword.substr(0, keyword.size() - 3);
 }
 
-std::string_view first_count(TextCursor& text) {
-  std::string_view word = text.word();
-  if (word.empty() || word.starts_with(comment)) {
-    text.next_line();
-    text.skip_empty_lines(comment);
-    word = text.word();
-  }
-  if (word == "BINARY") text.fail("binary OFF is not understood; save the mesh as text");
-  return word;
-}
-
-// To the line of the next vertex or face.
-void next_item(TextCursor& text, std::string_view what, std::int64_t done, std::int64_t promised) {
+// The number of edges, which nobody needs and some leave out: behind the others, or alone on the
+// next line. Lines have ended then.
+void skip_edge_count(TextCursor& text) {
+  text.pass_line_ends(false);
+  const TextCursor before = text;
+  if (parse_integer(text.word())) return;
   text.next_line();
   text.skip_empty_lines(comment);
-  if (text.at_end()) {
-    text.fail("the file ends after " + std::to_string(done) + " of " + std::to_string(promised) +
-              " " + std::string(what));
+  const bool is_alone = parse_integer(text.word()).has_value() && text.at_line_end();
+  if (!is_alone) text = before;
+}
+
+OffHeader read_header(TextCursor& text) {
+  OffHeader header;
+  text.pass_line_ends(true, comment);
+  header.keyword = read_keyword(text);
+  const std::string_view word = text.word();
+  if (word == "BINARY") text.fail("binary OFF is not understood; save the mesh as text");
+  const auto vertices = parse_integer(word);
+  if (!vertices) text.fail_expected("the number of vertices", word);
+  header.vertices = *vertices;
+  header.faces = text.integer("the number of faces");
+  skip_edge_count(text);
+  return header;
+}
+
+// That each vertex and each face can have a line of its own. Otherwise words are taken as they
+// come, whatever lines they stand on.
+bool has_lines_for_all(TextCursor text, const OffHeader& header) {
+  const auto items =
+      static_cast<std::uint64_t>(header.vertices) + static_cast<std::uint64_t>(header.faces);
+  std::uint64_t lines = 0;
+  for (text.next_line(); lines < items; text.next_line(), ++lines) {
+    text.skip_empty_lines(comment);
+    if (text.at_end()) return false;
   }
+  return true;
 }
 
 // Numbers that stand behind a vertex or a face.
@@ -55,6 +83,16 @@ class OffProperties {
         has_colours_(keyword.find('C') != std::string_view::npos),
         textures_(keyword.find("ST") != std::string_view::npos ? 2 : 0) {}
 
+  // Where a vertex has no line to itself: as many words as the first word of the file says, which
+  // names no colours.
+  void read_words(TextCursor& text) {
+    for (std::size_t i = 0; i < normals_; ++i) add(text.real("a normal"), normal_[i]);
+    for (std::size_t i = 0; i < textures_; ++i) {
+      add(text.real("a texture coordinate"), texture_[i]);
+    }
+  }
+
+  // To the end of the line.
   void read_vertex(TextCursor& text) {
     if (!is_wanted_ || (normals_ == 0 && !has_colours_ && textures_ == 0)) return;
     const std::vector<double> row = read_row(text);
@@ -70,7 +108,8 @@ class OffProperties {
     if (has_colours_) add_colour(std::span(row).subspan(normals_, parts), vertex_colours_);
   }
 
-  // A colour is three or four numbers. A single one is a place in a table that nobody has.
+  // To the end of the line. A colour is three or four numbers. A single one is a place in a table
+  // that nobody has.
   void read_face(TextCursor& text) {
     if (!is_wanted_) return;
     const std::vector<double> row = read_row(text);
@@ -92,6 +131,10 @@ class OffProperties {
   }
 
  private:
+  void add(double number, std::vector<double>& column) const {
+    if (is_wanted_) column.push_back(number);
+  }
+
   static std::vector<double> read_row(TextCursor& text) {
     std::vector<double> row;
     while (!text.at_line_end()) {
@@ -120,36 +163,74 @@ class OffProperties {
   TextColours face_colours_{"faces"};
 };
 
+// Goes through the vertices and faces.
+class OffReader {
+ public:
+  OffReader(std::string_view bytes, std::string_view name, const ReadOptions& options)
+      : text_(bytes, name), header_(read_header(text_)), properties_(header_.keyword, options) {}
+
+  ParsedMesh read() {
+    loaded_.format = "OFF";
+    check_line_count(text_, header_.vertices, 3, "vertices");
+    check_line_count(text_, header_.faces, 1, "faces");
+    has_lines_ = has_lines_for_all(text_, header_);
+    if (!has_lines_ && header_.keyword.find('C') != std::string_view::npos) {
+      text_.fail(
+          "the file has fewer lines than vertices and faces, so nobody can tell how many "
+          "numbers a colour has; give each vertex a line");
+    }
+    read_vertices();
+    read_faces();
+    properties_.finish(loaded_.properties);
+    return std::move(loaded_);
+  }
+
+ private:
+  // To the next vertex or face.
+  void next_item(std::string_view what, std::int64_t done, std::int64_t promised) {
+    if (has_lines_) text_.next_line();
+    text_.skip_empty_lines(comment);
+    if (text_.at_end()) {
+      text_.fail("the file ends after " + std::to_string(done) + " of " + std::to_string(promised) +
+                 " " + std::string(what));
+    }
+    text_.pass_line_ends(true, comment);
+  }
+
+  void read_vertices() {
+    std::vector<Vec3>& positions = loaded_.mesh.positions;
+    positions.reserve(static_cast<std::size_t>(header_.vertices));
+    for (std::int64_t i = 0; i < header_.vertices; ++i) {
+      next_item("vertices", i, header_.vertices);
+      positions.push_back(read_position(text_));
+      text_.pass_line_ends(!has_lines_, comment);
+      if (has_lines_) properties_.read_vertex(text_);
+      if (!has_lines_) properties_.read_words(text_);
+    }
+  }
+
+  void read_faces() {
+    loaded_.mesh.triangles.reserve(static_cast<std::size_t>(header_.faces));
+    std::vector<VertexId> corners;
+    for (std::int64_t i = 0; i < header_.faces; ++i) {
+      next_item("faces", i, header_.faces);
+      read_polygon(text_, loaded_.mesh.vertex_count(), corners, loaded_);
+      text_.pass_line_ends(false);
+      if (has_lines_) properties_.read_face(text_);
+    }
+  }
+
+  TextCursor text_;
+  OffHeader header_;
+  OffProperties properties_;
+  ParsedMesh loaded_;
+  bool has_lines_ = true;
+};
+
 }  // namespace
 
 ParsedMesh read_off(std::string_view bytes, std::string_view name, const ReadOptions& options) {
-  TextCursor text(bytes, name);
-  ParsedMesh loaded;
-  loaded.format = "OFF";
-  OffProperties properties(read_keyword(text), options);
-  const std::string_view word = first_count(text);
-  const auto vertex_count = parse_integer(word);
-  if (!vertex_count) text.fail_expected("the number of vertices", word);
-  const std::int64_t face_count = text.integer("the number of faces");
-
-  check_line_count(text, *vertex_count, 3, "vertices");
-  loaded.mesh.positions.reserve(static_cast<std::size_t>(*vertex_count));
-  for (std::int64_t i = 0; i < *vertex_count; ++i) {
-    next_item(text, "vertices", i, *vertex_count);
-    loaded.mesh.positions.push_back(read_position(text));
-    properties.read_vertex(text);
-  }
-
-  check_line_count(text, face_count, 1, "faces");
-  loaded.mesh.triangles.reserve(static_cast<std::size_t>(face_count));
-  std::vector<VertexId> corners;
-  for (std::int64_t i = 0; i < face_count; ++i) {
-    next_item(text, "faces", i, face_count);
-    read_polygon(text, loaded.mesh.vertex_count(), corners, loaded);
-    properties.read_face(text);
-  }
-  properties.finish(loaded.properties);
-  return loaded;
+  return OffReader(bytes, name, options).read();
 }
 
 }  // namespace geolloyd

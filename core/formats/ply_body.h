@@ -110,7 +110,7 @@ class PlyBody {
       take(list.bytes_before);
       const auto next_count = [&](auto zero) { return std::int64_t{next<decltype(zero)>()}; };
       const std::int64_t count = std::visit(next_count, list.count_type);
-      if (count < 0) fail("a list has the negative length " + std::to_string(count));
+      if (count < 0) fail(bad_list_length(count));
       take(static_cast<std::size_t>(count) * list.item_size);
     }
     take(gap.bytes);

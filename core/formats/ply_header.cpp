@@ -78,16 +78,24 @@ void find_mesh(const TextCursor& text, PlyHeader& header) {
     return find_only(text, header.elements, "element '" + name + "'",
                      [&](const PlyElement& element) { return element.name == name; });
   };
+  const auto has_element = [&](std::string_view name) {
+    return std::any_of(header.elements.begin(), header.elements.end(),
+                       [&](const PlyElement& element) { return element.name == name; });
+  };
+  const auto find_corners = [&](const std::string& name) {
+    const std::size_t element = find_element(name);
+    return PlyCorners{element, find_only(text, header.elements[element].properties,
+                                         name + " property list 'vertex_indices'", is_corner_list)};
+  };
   header.vertex = find_element("vertex");
-  header.face = find_element("face");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
     header.coordinates[axis] = find_only(
         text, header.elements[header.vertex].properties, "vertex property '" + name + "'",
         [&](const PlyProperty& property) { return property.name == name && !property.count_type; });
   }
-  header.corners = find_only(text, header.elements[header.face].properties,
-                             "face property list 'vertex_indices'", is_corner_list);
+  if (has_element("tristrips")) header.strips = find_corners("tristrips");
+  if (!header.strips || has_element("face")) header.faces = find_corners("face");
 }
 
 // One line of the header; false for its last.

@@ -43,13 +43,26 @@ struct PlyElement {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
+/// An element with a list of vertex indices.
+struct PlyCorners {
+  std::size_t element = 0;
+  std::size_t list = 0;  ///< the property
+};
+
 struct PlyHeader {
   std::optional<PlyEncoding> encoding;
   std::vector<PlyElement> elements;          ///< in the order of the body
   std::size_t vertex = 0;                    ///< the element "vertex"
-  std::size_t face = 0;                      ///< the element "face"
   std::array<std::size_t, 3> coordinates{};  ///< the vertex's properties x, y, z
-  std::size_t corners = 0;                   ///< the face's list of vertex indices
+  std::optional<PlyCorners> faces;           ///< the element "face"
+  std::optional<PlyCorners> strips;          ///< the element "tristrips"; one of the two is there
+
+  [[nodiscard]] bool has_faces_at(std::size_t element) const {
+    return faces && faces->element == element;
+  }
+  [[nodiscard]] bool has_strips_at(std::size_t element) const {
+    return strips && strips->element == element;
+  }
 };
 
 /// Reads to the end of the header and checks that it describes a mesh.

@@ -107,12 +107,22 @@ bool PlyColumnGroup::read(TextCursor& text, std::size_t property) {
 PlyColumns::PlyColumns(const PlyHeader& header, const ReadOptions& options) {
   if (!options.properties) return;
   const PlyElement& vertex = header.elements[header.vertex];
-  const PlyElement& face = header.elements[header.face];
   of_vertices = PlyColumnGroup(vertex, header.coordinates, "vertices", left_out_);
-  of_faces = PlyColumnGroup(face, std::span(&header.corners, 1), "faces", left_out_);
-  for (const PlyElement& element : header.elements) {
-    if (&element == &vertex || &element == &face || element.count == 0) continue;
+  if (header.faces) find_faces(header);
+  for (std::size_t i = 0; i < header.elements.size(); ++i) {
+    const PlyElement& element = header.elements[i];
+    const bool has_surface = header.has_faces_at(i) || header.has_strips_at(i);
+    if (i == header.vertex || has_surface || element.count == 0) continue;
     left_out_.push_back("element " + in_quotes(element.name) + ": neither vertices nor faces");
+  }
+}
+
+void PlyColumns::find_faces(const PlyHeader& header) {
+  const PlyElement& face = header.elements[header.faces->element];
+  if (!header.strips) {
+    of_faces = PlyColumnGroup(face, std::span(&header.faces->list, 1), "faces", left_out_);
+  } else if (face.properties.size() > 1) {
+    left_out_.emplace_back("properties of faces: triangles of strips have none");
   }
 }
 

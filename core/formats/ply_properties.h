@@ -54,6 +54,8 @@ class PlyColumns {
   PlyColumnGroup of_faces;
 
  private:
+  void find_faces(const PlyHeader& header);
+
   std::vector<std::string> left_out_;
 };
 

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "core/formats/mesh_readers.h"
 #include "core/formats/ply_body.h"
 #include "core/formats/ply_header.h"
 #include "core/formats/ply_properties.h"
+#include "core/formats/triangle_strip.h"
 
 namespace geolloyd {
 namespace {
@@ -28,14 +32,36 @@ void read_vertices(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   }
 }
 
+template <class Index>
+constexpr std::int64_t restart_of() {
+  return std::is_unsigned_v<Index> ? std::int64_t{std::numeric_limits<Index>::max()} : -1;
+}
+
+template <class Count, class Index>
+void read_strips(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
+  std::vector<std::int64_t> indices;
+  body.for_each_row(header.elements[header.strips->element], header.strips->list, [&](std::size_t) {
+    const auto count = std::int64_t{body.next<Count>()};
+    if (count < 0) body.fail(bad_list_length(count));
+    const char* item = body.take(static_cast<std::size_t>(count) * sizeof(Index));
+    indices.resize(static_cast<std::size_t>(count));
+    for (std::int64_t& index : indices) {
+      index = load<Index>(item, body.order());
+      item += sizeof(Index);
+    }
+    add_strip(loaded, indices, restart_of<Index>(), header.elements[header.vertex].count,
+              [&](const std::string& message) { body.fail(message); });
+  });
+}
+
 template <class Count, class Index>
 void read_faces(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
-  const PlyElement& face = header.elements[header.face];
+  const PlyElement& face = header.elements[header.faces->element];
   const std::size_t vertex_count = header.elements[header.vertex].count;
   const std::size_t triangle_row_size = least_row_size(face) + 3 * sizeof(Index);
   loaded.mesh.triangles.reserve(std::min(face.count, body.remaining() / triangle_row_size));
   std::vector<VertexId> corners;
-  body.for_each_row(face, header.corners, [&](std::size_t) {
+  body.for_each_row(face, header.faces->list, [&](std::size_t) {
     const auto count = std::int64_t{body.next<Count>()};
     if (count < 3) body.fail(bad_corner_count(count));
     const char* item = body.take(static_cast<std::size_t>(count) * sizeof(Index));
@@ -52,20 +78,18 @@ void read_faces(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
   });
 }
 
-void read_faces(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
-  const PlyProperty& list = header.elements[header.face].properties[header.corners];
-  std::visit(
-      [&](auto count, auto index) {
-        read_faces<decltype(count), decltype(index)>(body, header, loaded);
-      },
-      *list.count_type, std::get<PlyInteger>(list.type));
+// Calls read with zeros of the types of the count and the items.
+template <class Read>
+void visit_corners(const PlyHeader& header, const PlyCorners& corners, Read&& read) {
+  const PlyProperty& list = header.elements[corners.element].properties[corners.list];
+  std::visit(read, *list.count_type, std::get<PlyInteger>(list.type));
 }
 
 // `in` has a body that is long enough for what the element promises.
 template <class Body>
 void check_ids(const Body& in, const PlyHeader& header, std::size_t element) {
   const std::size_t vertices = element == header.vertex ? header.elements[element].count : 0;
-  const std::size_t faces = element == header.face ? header.elements[element].count : 0;
+  const std::size_t faces = header.has_faces_at(element) ? header.elements[element].count : 0;
   if (!ids_suffice(vertices, faces)) in.fail(too_many(vertices, faces));
 }
 
@@ -77,9 +101,15 @@ void read_binary(PlyBody& body, const PlyHeader& header, PlyColumns& columns, Pa
     if (i == header.vertex) {
       read_vertices(body, header, loaded);
       columns.of_vertices.read(body, start);
-    } else if (i == header.face) {
-      read_faces(body, header, loaded);
+    } else if (header.has_faces_at(i)) {
+      visit_corners(header, *header.faces, [&](auto count, auto index) {
+        read_faces<decltype(count), decltype(index)>(body, header, loaded);
+      });
       columns.of_faces.read(body, start);
+    } else if (header.has_strips_at(i)) {
+      visit_corners(header, *header.strips, [&](auto count, auto index) {
+        read_strips<decltype(count), decltype(index)>(body, header, loaded);
+      });
     } else {
       body.skip_rows(header.elements[i]);
     }
@@ -88,7 +118,7 @@ void read_binary(PlyBody& body, const PlyHeader& header, PlyColumns& columns, Pa
 
 void skip_value(TextCursor& text, const PlyProperty& property) {
   const std::int64_t count = property.count_type ? text.integer("the length of a list") : 1;
-  if (count < 0) text.fail("a list has the negative length " + std::to_string(count));
+  if (count < 0) text.fail(bad_list_length(count));
   for (std::int64_t i = 0; i < count; ++i) {
     if (text.word().empty()) text.fail_expected("property " + in_quotes(property.name), {});
   }
@@ -126,14 +156,28 @@ void read_ascii_vertices(TextCursor& text, const PlyHeader& header, PlyColumnGro
 
 void read_ascii_faces(TextCursor& text, const PlyHeader& header, PlyColumnGroup& columns,
                       ParsedMesh& loaded) {
-  const PlyElement& face = header.elements[header.face];
+  const PlyElement& face = header.elements[header.faces->element];
   std::vector<VertexId> corners;
   for_each_value(text, face, [&](std::size_t, std::size_t property) {
-    if (property == header.corners) {
+    if (property == header.faces->list) {
       read_polygon(text, header.elements[header.vertex].count, corners, loaded);
     } else if (!columns.read(text, property)) {
       skip_value(text, face.properties[property]);
     }
+  });
+}
+
+void read_ascii_strips(TextCursor& text, const PlyHeader& header, ParsedMesh& loaded) {
+  const PlyElement& strip = header.elements[header.strips->element];
+  const auto fail = [&](const std::string& message) { text.fail(message); };
+  std::vector<std::int64_t> indices;
+  for_each_value(text, strip, [&](std::size_t, std::size_t property) {
+    if (property != header.strips->list) return skip_value(text, strip.properties[property]);
+    const std::int64_t count = text.integer("the length of a strip");
+    if (count < 0) text.fail(bad_list_length(count));
+    indices.clear();
+    for (std::int64_t i = 0; i < count; ++i) indices.push_back(text.integer("a vertex index"));
+    add_strip(loaded, indices, -1, header.elements[header.vertex].count, fail);
   });
 }
 
@@ -146,8 +190,10 @@ void read_ascii(TextCursor& text, const PlyHeader& header, PlyColumns& columns,
     check_ids(text, header, i);
     if (i == header.vertex) {
       read_ascii_vertices(text, header, columns.of_vertices, loaded);
-    } else if (i == header.face) {
+    } else if (header.has_faces_at(i)) {
       read_ascii_faces(text, header, columns.of_faces, loaded);
+    } else if (header.has_strips_at(i)) {
+      read_ascii_strips(text, header, loaded);
     } else {
       for_each_value(text, element, [&](std::size_t, std::size_t property) {
         skip_value(text, element.properties[property]);

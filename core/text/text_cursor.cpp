@@ -59,6 +59,7 @@ void TextCursor::skip_empty_lines(char comment) {
 }
 
 std::string_view TextCursor::word() {
+  if (passes_line_ends_) skip_empty_lines(comment_);
   if (at_line_end()) return {};
   const std::size_t start = position_;
   while (!at_end() && !is_space(text_[position_])) ++position_;

@@ -28,7 +28,15 @@ class TextCursor {
   /// Skips blank lines, and lines that begin with `comment` unless that is 0.
   void skip_empty_lines(char comment = '\0');
 
-  /// The next word on this line, empty at its end.
+  /// Has words follow each other whatever lines they stand on, or (false) ends them at a line's end
+  /// again. What stands behind `comment` up to the end of a line is skipped.
+  void pass_line_ends(bool passes, char comment = '\0') {
+    passes_line_ends_ = passes;
+    comment_ = comment;
+  }
+
+  /// The next word on this line, empty at its end; where line ends are passed, empty at the end of
+  /// the text.
   std::string_view word();
   /// The next word as a number; fails where it is none. `what` names it in the message.
   double real(std::string_view what);
@@ -44,6 +52,8 @@ class TextCursor {
   std::string_view name_;
   std::size_t position_ = 0;
   std::size_t line_;
+  bool passes_line_ends_ = false;
+  char comment_ = '\0';
 };
 
 /// With the letters A to Z made small, whatever the locale.

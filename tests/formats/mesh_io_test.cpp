@@ -13,25 +13,11 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geolloyd {
 namespace {
-
-// Coordinates that 32 bits hold, vertices in the order in which the triangles name them, so that
-// every format gives the same mesh back.
-Mesh tetrahedron() {
-  return {{{0, 0, 0}, {1, 0, 0.5}, {0, -1.25, 0}, {0, 0, 3}},
-          {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
-}
-
-template <class Number>
-std::string raw(Number number, std::endian order) {
-  std::string bytes(sizeof(Number), '\0');
-  std::memcpy(bytes.data(), &number, sizeof(Number));
-  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
 
 template <class Real, class Count, class Index>
 std::string binary_ply(const std::string& types, std::endian order) {
@@ -67,64 +53,7 @@ const std::string ascii_stl =
     "   vertex 0 1 0\n  endloop\n endfacet\n facet normal 0 0 1\n  outer loop\n"
     "   vertex 1 0 0\n   vertex 1 1e0 0\n   vertex -0 1 -0\n  endloop\n endfacet\nendsolid s\n";
 
-class MeshIo : public testing::Test {
- protected:
-  [[nodiscard]] LoadedMesh load(const std::string& name, std::string_view bytes) const {
-    return read_mesh(folder_.write(name, bytes));
-  }
-
-  [[nodiscard]] Mesh round_trip(const std::string& name, const Mesh& mesh) const {
-    write_mesh(folder_.path() / name, mesh);
-    return read_mesh(folder_.path() / name).mesh;
-  }
-
-  [[nodiscard]] std::string written(const std::string& name) const {
-    write_mesh(folder_.path() / name, tetrahedron());
-    return read_file(folder_.path() / name);
-  }
-
-  // The message of the InvalidInput, from the file's name on; empty where there is none.
-  [[nodiscard]] std::string complaint(const std::string& name, std::string_view bytes) const {
-    try {
-      (void)load(name, bytes);
-      return {};
-    } catch (const InvalidInput& error) {
-      const std::string message = error.what();
-      const std::string prefix = (folder_.path() / "").string();
-      EXPECT_TRUE(message.starts_with(prefix)) << message;
-      EXPECT_EQ(message.find_first_of("\n\r"), std::string::npos) << message;
-      return message.substr(std::min(prefix.size(), message.size()));
-    }
-  }
-
-  // Either refuses the file or makes a sound mesh of it; true where it does the latter.
-  [[nodiscard]] bool is_accepted(const std::string& name, std::string_view bytes) const {
-    try {
-      const Mesh mesh = load(name, bytes).mesh;
-      EXPECT_FALSE(mesh.triangles.empty());
-      for (const Vec3& p : mesh.positions) {
-        EXPECT_LE(p.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), largest_coordinate);
-      }
-      for (const Triangle& t : mesh.triangles) {
-        EXPECT_LT(*std::max_element(t.begin(), t.end()), mesh.vertex_count());
-      }
-      return true;
-    } catch (const InvalidInput&) {
-      return false;
-    }
-  }
-
-  void expect_tetrahedron(const std::string& name, std::string_view bytes) const {
-    const Mesh mesh = load(name, bytes).mesh;
-    EXPECT_EQ(mesh.positions, tetrahedron().positions);
-    EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
-  }
-
- private:
-  TemporaryFolder folder_;
-};
-
-using Triangles = std::vector<Triangle>;
+class MeshIo : public MeshFiles {};
 
 TEST_F(MeshIo, EveryFormatReadsBackWhatWasWritten) {
   for (const char* name : {"m.ply", "m.obj", "m.off", "m.stl", "M.PLY"}) {
@@ -323,13 +252,13 @@ TEST_F(MeshIo, ComplaintsAboutOffNameTheLine) {
            {"OFF\n", "line 2: expected the number of vertices, found the end of the file"},
            {"OFF\n-3 1 0\n", "line 2: the number of vertices is negative: -3"},
            {"OFF\n4000000000 1 0\n0 0 0\n",
-            "line 2: 4000000000 vertices are promised, but the file ends after 9 more bytes"},
+            "line 2: 4000000000 vertices are promised, but the file ends after 7 more bytes"},
            {"OFF\n99999999999999999999 1 0\n",
             "line 2: expected the number of vertices, found '99999999999999999999'"},
            {"OFF\n1 9000000000000000000 0\n0 0 0\n",
-            "line 3: 9000000000000000000 faces are promised, but the file ends after 1 more bytes"},
+            "line 2: 9000000000000000000 faces are promised, but the file ends after 7 more bytes"},
            {"OFF\n2 1 0\n0 0 0\n# nothing here\n", "line 5: the file ends after 1 of 2 vertices"},
-           {"OFF\n2 1 0\n0 0\n0 0 0\n", "line 3: expected a coordinate, found the end of the line"},
+           {"OFF\n2 1 0\n0 0\n0 0 0\n", "line 5: expected a coordinate, found the end of the file"},
            {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "line 3: a coordinate is not finite"},
            {"OFF\n1 1 0\n0 -inf 0\n3 0 0 0\n", "line 3: a coordinate is not finite"},
            {"OFF\n1 1 0\n0 1e999 0\n3 0 0 0\n", "line 3: expected a coordinate, found '1e999'"},
@@ -339,11 +268,14 @@ TEST_F(MeshIo, ComplaintsAboutOffNameTheLine) {
            {"OFF\n1 1 0\n0 0 0\n2 0 0\n", "line 4: the face has 2 corners; it needs at least 3"},
            {"OFF\n1 1 0\n0 0 0\n-1 0 0\n", "line 4: the face has -1 corners; it needs at least 3"},
            {"OFF\n1 1 0\n0 0 0\n3 0 0\n",
-            "line 4: expected a vertex index, found the end of the line"},
+            "line 5: expected a vertex index, found the end of the file"},
            {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n",
             "line 4: vertex index 1 is out of range; there are 1 vertices, counted from 0"},
            {"OFF\n1 1 0\n0 0 0\n3 0 0 -1\n",
             "line 4: vertex index -1 is out of range; there are 1 vertices, counted from 0"},
+           {"COFF 1 1 0 0 0 0 1 1 1 3 0 0 0\n",
+            "line 1: the file has fewer lines than vertices and faces, so nobody can tell how many "
+            "numbers a colour has; give each vertex a line"},
            {"OFF\n0 0 0\n", "byte 10: the file ends without a vertex"},
        }) {
     EXPECT_EQ(complaint("m.off", bytes), std::string("m.off: ") + message);
@@ -368,13 +300,6 @@ TEST_F(MeshIo, ComplaintsAboutObjNameTheLine) {
        }) {
     EXPECT_EQ(complaint("m.obj", obj_start + face), std::string("m.obj: ") + message);
   }
-}
-
-// `bytes` with the first `from` in it replaced.
-std::string with(std::string bytes, std::string_view from, std::string_view to) {
-  const std::size_t at = bytes.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return bytes.replace(at, from.size(), to);
 }
 
 TEST_F(MeshIo, ComplaintsAboutAPlyHeaderNameTheLine) {
