@@ -1,10 +1,13 @@
 #include "geolloyd/tessellate.h"
 
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "core/graph/components.h"
 #include "core/library/tessellated_graph.h"
+#include "core/lloyd/engine.h"
+#include "core/seeds/seeds.h"
 #include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
 
@@ -40,9 +43,12 @@ std::vector<NodeId> make_graph_and_seeds(const Mesh& mesh, std::span<const Tange
       {options.graph, options.norm, {field.begin(), field.end()}, options.averaging},
       runtime.executor());
   const Components components = connected_components(mesh_graph.graph);
-  return options.first_seeds.empty()
-             ? choose_first_seeds(mesh, places, mesh_graph, components, first, runtime)
-             : nodes_of_seeds(mesh_graph, components, options.first_seeds);
+  if (options.first_seeds.empty()) {
+    return choose_first_seeds(mesh, places, mesh_graph, components, first, runtime);
+  }
+  std::vector<NodeId> nodes = nodes_of_seeds(mesh_graph, options.first_seeds);
+  check_every_component_has_a_seed("first_seeds", mesh_graph, components, nodes);
+  return nodes;
 }
 
 RelaxationOptions relaxation_options(const TessellateOptions& options) {
@@ -76,6 +82,37 @@ Tessellation voronoi(const Mesh& mesh, TessellateOptions options, Runtime& runti
   options.max_macrosteps = 0;
   options.improvement_rounds = 0;
   return tessellate(mesh, options, runtime);
+}
+
+std::vector<InputId> first_seeds(const Mesh& mesh, const TessellateOptions& options,
+                                 Runtime& runtime) {
+  validate(mesh, options);
+  const std::vector<TangentSpace> field = checked_field(options.field, mesh.vertex_count());
+  MeshGraph mesh_graph;
+  std::vector<InputId> seeds;
+  for (const NodeId node : make_graph_and_seeds(mesh, field, options, runtime, mesh_graph)) {
+    seeds.push_back(mesh_graph.input_id[node]);
+  }
+  return seeds;
+}
+
+std::vector<double> distances(const Mesh& mesh, const TessellateOptions& options,
+                              Runtime& runtime) {
+  validate(mesh, options);
+  if (options.first_seeds.empty()) throw InvalidInput("distances: from where? Give first_seeds");
+  const MeshGraph made =
+      make_mesh_graph(mesh, find_edges(mesh, runtime.executor()),
+                      {options.graph, options.norm,
+                       checked_field(options.field, mesh.vertex_count()), options.averaging},
+                      runtime.executor());
+  const auto engine = runtime.make_engine(made.graph);
+  const Partition& partition = partition_of(*engine, nodes_of_seeds(made, options.first_seeds));
+  std::vector<double> result(made.node_of.size(), std::numeric_limits<double>::infinity());
+  for (NodeId v = 0; v < made.graph.node_count(); ++v) {
+    const Key key = partition.key[v];
+    if (key != unreached) result[made.input_id[v]] = distance_of(key) * made.graph.tick_length;
+  }
+  return result;
 }
 
 }  // namespace geolloyd

@@ -5,10 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/kernel_seconds.h"
 #include "core/base/random.h"
-#include "core/graph/components.h"
 #include "core/remesh/tessellation.h"
-#include "core/seeds/seeds.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -30,9 +29,9 @@ bool has_usable_values(const TangentSpace& space) {
 
 }  // namespace
 
-std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components& components,
-                                   std::span<const InputId> seeds) {
+std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, std::span<const InputId> seeds) {
   std::vector<NodeId> nodes;
+  nodes.reserve(seeds.size());
   std::vector<bool> is_taken(mesh_graph.graph.node_count(), false);
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     if (seeds[i] >= mesh_graph.node_of.size()) {
@@ -48,7 +47,6 @@ std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components
     is_taken[node] = true;
     nodes.push_back(node);
   }
-  check_every_component_has_a_seed("first_seeds", mesh_graph, components, nodes);
   return nodes;
 }
 
@@ -120,6 +118,11 @@ Tessellation describe(TessellatedGraph tessellated) {
   result.energy = relaxation.energy;
   result.stop_reason = relaxation.stop_reason;
   result.fingerprint = relaxation.fingerprint;
+  result.trace.reserve(relaxation.steps.size());
+  for (const Step& step : relaxation.steps) {
+    result.trace.push_back(
+        {step.phase, step.energy, step.seeds_moved, step.node_visits, total(step.seconds)});
+  }
   result.internals = internals;
   return result;
 }

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "geolloyd/tessellate.h"
@@ -19,9 +18,8 @@ struct TessellatedGraph {
 };
 
 /// First seeds of a user, by input id, as nodes in their order. Throws InvalidInput where one is
-/// unknown, without a node or repeated, where there is none, or where a component has none.
-std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, const Components& components,
-                                   std::span<const InputId> seeds);
+/// unknown, without a node or repeated.
+std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, std::span<const InputId> seeds);
 
 /// The same field with directions of length 1. Throws InvalidInput where it is neither empty nor
 /// one usable space per vertex.

@@ -48,6 +48,37 @@ TEST(EvaluationLibrary, ConcentricSpheresAreTheirRadiiApart) {
   EXPECT_NEAR(distance.two_sided().mean, radius / 2, 1e-3 * radius);
 }
 
+TEST(EvaluationLibrary, ClosestPointsOfASphereAreOnTheirRays) {
+  const Mesh sphere = icosphere(20000);
+  const std::vector<Vec3> points = {{2, 0, 0}, {0, -0.5, 0}, {1, 2, 3}, sphere.positions[7]};
+  const std::vector<SurfacePoint> found = closest_points(sphere, points);
+  ASSERT_EQ(found.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vec3 place = Vec3::Zero();
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      place += found[i].weights[c] * sphere.positions[sphere.triangles[found[i].triangle][c]];
+      sum += found[i].weights[c];
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LT((place - points[i].normalized()).norm(), 0.02);
+  }
+}
+
+TEST(EvaluationLibrary, ARemeshWithinAToleranceHasFewVertices) {
+  const Mesh sphere = icosphere(3000);
+  const ToleranceRemesh made = remesh_within(sphere, 0.1, {});
+  ASSERT_FALSE(made.trials.empty());
+  const double distance = measure_distance(sphere, made.remesh.mesh, 200'000).two_sided().largest;
+  EXPECT_LE(distance, 0.1);
+  EXPECT_LT(made.remesh.mesh.vertex_count(), 100U);
+  SurfaceRemeshOptions stopping;
+  stopping.progress = [](const SurfaceRemeshProgress&) { return false; };
+  const ToleranceRemesh stopped = remesh_within(sphere, 1e-9, stopping);
+  EXPECT_TRUE(stopped.remesh.interrupted);
+  EXPECT_EQ(stopped.trials.size(), 1U);
+}
+
 TEST(EvaluationLibrary, RefusesWhatMakesNoSense) {
   const Mesh mesh = icosphere(80);
   const Mesh other = icosphere(320);
@@ -58,6 +89,15 @@ TEST(EvaluationLibrary, RefusesWhatMakesNoSense) {
   EXPECT_THROW(measure_distance(mesh, {}, 10), InvalidInput);
   EXPECT_THROW(measure_distance(mesh, flat, 10), InvalidInput);
   EXPECT_THROW(measure_distance(mesh, mesh, 0), InvalidInput);
+  EXPECT_THROW(closest_points({}, {}), InvalidInput);
+  EXPECT_THROW(closest_points(mesh, {{0, std::numeric_limits<double>::quiet_NaN(), 0}}),
+               InvalidInput);
+  EXPECT_THROW(remesh_within(mesh, 0, {}), InvalidInput);
+  EXPECT_THROW(remesh_within(mesh, std::numeric_limits<double>::quiet_NaN(), {}), InvalidInput);
+  EXPECT_THROW(remesh_within(mesh, 1e-12, {}), InvalidInput);
+  SurfaceRemeshOptions counted;
+  counted.vertex_count = 10;
+  EXPECT_THROW(remesh_within(mesh, 0.1, counted), InvalidInput);
 }
 
 TEST(RenderLibrary, DrawsAPictureOrNothing) {

@@ -1,6 +1,7 @@
 // The public headers, called rightly and wrongly.
 #include <geolloyd/choices.h>
 #include <geolloyd/errors.h>
+#include <geolloyd/fields.h>
 #include <geolloyd/measure.h>
 #include <geolloyd/mesh.h>
 #include <geolloyd/properties.h>
@@ -76,6 +77,67 @@ TEST(Library, VoronoiKeepsTheSeedsAsTheyAre) {
   const Tessellation result = voronoi(mesh, options);
   for (std::size_t r = 0; r < 3; ++r) EXPECT_EQ(result.regions[r].seed, options.first_seeds[r]);
   EXPECT_EQ(result.energy, result.initial_energy);
+}
+
+TEST(Library, FirstSeedsAreThoseOfARelaxation) {
+  const Mesh mesh = torus(2000, 1);
+  for (const SeedInit init : {SeedInit::random, SeedInit::farthest, SeedInit::automatic}) {
+    TessellateOptions options = with_seeds(20);
+    options.init = init;
+    const std::vector<InputId> seeds = first_seeds(mesh, options);
+    EXPECT_EQ(std::set<InputId>(seeds.begin(), seeds.end()).size(), 20U);
+    options.greedy = GreedyMode::extended;
+    const Tessellation whole = tessellate(mesh, options);
+    TessellateOptions given;
+    given.first_seeds = seeds;
+    EXPECT_EQ(tessellate(mesh, given).fingerprint, whole.fingerprint);
+  }
+}
+
+TEST(Library, DistancesAreThoseOfTheDiagramAndInfiniteElsewhere) {
+  Mesh mesh = icosphere(320);
+  TessellateOptions options;
+  options.first_seeds = {7, 3, 100};
+  EXPECT_EQ(distances(mesh, options), voronoi(mesh, options).distance);
+  const VertexId own = static_cast<VertexId>(mesh.vertex_count());
+  for (const Vec3& p : two_triangles().positions) mesh.positions.push_back(p + Vec3(5, 5, 5));
+  mesh.triangles.push_back({own, own + 1, own + 2});
+  const std::vector<double> found = distances(mesh, options);
+  ASSERT_EQ(found.size(), mesh.vertex_count());
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(found[v] == infinite, v >= own);
+  EXPECT_EQ(found[3], 0);
+}
+
+TEST(Library, ATraceHasAStepForEachEnergy) {
+  TessellateOptions options = with_seeds(30);
+  options.init = SeedInit::random;
+  const Tessellation result = tessellate(creature(5000, 1), options);
+  ASSERT_GT(result.trace.size(), 2U);
+  EXPECT_EQ(result.trace.front().energy, result.initial_energy);
+  EXPECT_EQ(result.trace.front().phase, Phase::greedy);
+  EXPECT_EQ(result.trace.back().phase, Phase::precise);
+  EXPECT_EQ(result.trace.back().seeds_moved, 0U);
+  for (const TessellationStep& step : result.trace) {
+    EXPECT_GE(step.energy, result.energy);
+    EXPECT_GT(step.node_visits, 0U);
+    EXPECT_GE(step.seconds, 0);
+  }
+}
+
+TEST(Library, FieldsOfASphereAreTangentAndIsotropic) {
+  const Mesh mesh = icosphere(1000);
+  const std::vector<TangentSpace> curvature = curvature_field(mesh);
+  const std::vector<TangentSpace> crosses = cross_field(mesh);
+  ASSERT_EQ(curvature.size(), mesh.vertex_count());
+  ASSERT_EQ(crosses.size(), mesh.vertex_count());
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_NEAR(curvature[v].tangent_magnitude, curvature[v].bitangent_magnitude, 0.2);
+    EXPECT_EQ(crosses[v].tangent_magnitude, 1);
+    EXPECT_NEAR(crosses[v].tangent.dot(mesh.positions[v]), 0, 0.05);
+    EXPECT_NEAR(crosses[v].tangent.dot(crosses[v].bitangent), 0, 1e-9);
+  }
+  EXPECT_THROW(curvature_field({}), InvalidInput);
+  EXPECT_THROW(cross_field({}), InvalidInput);
 }
 
 TEST(Library, AVertexOfNoTriangleHasNoRegion) {
@@ -208,6 +270,7 @@ const WrongCall wrong_calls[] = {
        tessellate({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}}, with_seeds(1));
      },
      "three different vertices"},
+    {"DistancesFromNowhere", [] { distances(two_triangles(), with_seeds(1)); }, "from where"},
     {"NoSeeds", [] { tessellate(two_triangles(), {}); }, "seed_count"},
     {"SeedsTwice",
      [] {

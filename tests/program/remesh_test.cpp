@@ -332,7 +332,7 @@ TEST_F(Remeshing, SaysHowCloseItCameWhereAToleranceIsOutOfReach) {
   if (under_sanitizer) GTEST_SKIP() << "tries 100,000 vertices, which takes minutes";
   const Outcome impossible = remesh("--tolerance 1e-12");
   EXPECT_EQ(impossible.status, 2);
-  expect_text(impossible, "--tolerance: the largest distance is ");
+  expect_text(impossible, "tolerance: the largest distance is ");
 }
 
 // Without its times, which never go back.

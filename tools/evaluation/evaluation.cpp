@@ -3,9 +3,14 @@
 #include <utility>
 
 #include "core/library/tessellated_graph.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_check.h"
+#include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
+#include "tools/evaluation/closest_places.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/evaluation/surface_distance.h"
+#include "tools/evaluation/vertex_search.h"
 
 namespace geolloyd {
 
@@ -35,6 +40,35 @@ SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::siz
   validate(second);
   if (samples == 0) throw InvalidInput("samples: at least 1");
   return measure_distance(runtime.executor(), first, second, samples);
+}
+
+std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec3>& points,
+                                         Runtime& runtime) {
+  validate(mesh);
+  validate_contents(Mesh{points, {}});
+  return closest_places(mesh, points, runtime.executor());
+}
+
+ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, SurfaceRemeshOptions options,
+                              Runtime& runtime) {
+  validate(mesh);
+  if (options.vertex_count > 0 || options.edge_length > 0) {
+    throw InvalidInput("tolerance: give no number of vertices and no edge length beside it");
+  }
+  Executor& executor = runtime.executor();
+  const double diagonal = check_mesh(mesh, find_edges(mesh, executor), executor).bounding_diagonal;
+  VertexSearch search(tolerance, most_vertices_to_try(mesh));
+  SurfaceRemesh best;
+  while (const auto vertices = search.next()) {
+    options.vertex_count = *vertices;
+    SurfaceRemesh made = remesh_surface(mesh, options, runtime);
+    const bool is_interrupted = made.interrupted;
+    if (search.add(measure_trial(mesh, diagonal, made.mesh, executor))) best = std::move(made);
+    if (!is_interrupted) continue;
+    best.interrupted = true;
+    break;
+  }
+  return {std::move(best), search.trials()};
 }
 
 }  // namespace geolloyd

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/loops.h"
-#include "core/mesh/closest_on_triangle.h"
 #include "core/surface/cells.h"
 #include "core/surface/field_metric.h"
 #include "core/surface/site_places.h"
@@ -14,6 +13,7 @@
 #include "core/surface/sizing.h"
 #include "core/surface/surface_input.h"
 #include "parallel/surface/parallel_surface_engine.h"
+#include "tools/evaluation/closest_places.h"
 #include "tools/evaluation/point_queries.h"
 
 namespace geolloyd {
@@ -55,21 +55,6 @@ double energy_ratio(const Mesh& mesh, const MeshEdges& edges, std::span<const Me
 }
 
 }  // namespace
-
-std::vector<SurfacePoint> closest_places(const Mesh& mesh, std::span<const Vec3> points,
-                                         Scheduler& scheduler) {
-  const ClosestPoint closest(mesh, scheduler.threads());
-  std::vector<SurfacePoint> places(points.size());
-  parallel_for(scheduler, points.size(), 256, [&](std::size_t i) {
-    const FoundPoint found = closest.find(points[i]);
-    const auto& [a, b, c] = mesh.triangles[found.triangle];
-    const auto [v, w] =
-        weights_closest_to_origin({mesh.positions[a] - points[i], mesh.positions[b] - points[i],
-                                   mesh.positions[c] - points[i]});
-    places[i] = {found.triangle, {1 - v - w, v, w}};
-  });
-  return places;
-}
 
 MetricQuality judge_in_metric(const Mesh& remesh, const MeshEdges& edges, const Mesh& original,
                               const MeshEdges& original_edges, std::span<const TangentSpace> field,

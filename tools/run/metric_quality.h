@@ -20,10 +20,6 @@ struct MetricQuality {
   double energy_ratio = 0;   ///< of cells in the metric, over that of the hexagonal tiling
 };
 
-/// The points of the surface that are closest to these.
-std::vector<SurfacePoint> closest_places(const Mesh& mesh, std::span<const Vec3> points,
-                                         Scheduler& scheduler);
-
 /// `original_edges` are those of the original. The remesh has an edge.
 MetricQuality judge_in_metric(const Mesh& remesh, const MeshEdges& edges, const Mesh& original,
                               const MeshEdges& original_edges, std::span<const TangentSpace> field,

@@ -47,10 +47,8 @@ class Remesher {
   void search(SurfaceRemeshResult& result) {
     const FinenessArguments& fineness = arguments_.fineness;
     const double unit = fineness.is_percentage ? loaded_.input.facts.bounding_diagonal / 100 : 1;
-    const std::size_t most =
-        std::max<std::size_t>(100'000, 4 * loaded_.input.mesh().vertex_count());
     ToleranceSearch found = search_within(
-        fineness.tolerance * unit, most, loaded_,
+        fineness.tolerance * unit, loaded_,
         [&](std::size_t vertices) {
           check_memory(vertices, result);
           options_.vertex_count = vertices;

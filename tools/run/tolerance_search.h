@@ -4,16 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "tools/evaluation/vertex_search.h"
 #include "tools/run/surface_remesh.h"
 
 namespace geolloyd {
-
-/// A remesh that was tried, and how far it is from the input: the largest distance, of both ways,
-/// that samples and vertices find.
-struct ToleranceTrial {
-  std::size_t vertices = 0;
-  double distance = 0;
-};
 
 /// What a search for the fewest vertices found.
 struct ToleranceSearch {
@@ -21,11 +15,10 @@ struct ToleranceSearch {
   std::vector<ToleranceTrial> trials;
 };
 
-/// Tries remeshes, whose distance falls about as the number of vertices grows, until the best one
-/// has at most a twentieth more vertices than one that is too far. Throws InvalidInput where none
-/// of up to `most` vertices is within `tolerance`, mesh units. After an interrupt the best one so
-/// far, or the last one. `make` makes one of so many vertices.
-ToleranceSearch search_within(double tolerance, std::size_t most, const LoadedInput& loaded,
+/// Tries remeshes (evaluation/vertex_search.h) until it has the fewest vertices within `tolerance`,
+/// mesh units. After an interrupt the best one so far, or the last one. `make` makes one of so many
+/// vertices.
+ToleranceSearch search_within(double tolerance, const LoadedInput& loaded,
                               const std::function<TimedRemesh(std::size_t vertices)>& make,
                               Scheduler& scheduler, ProgressLine& progress);
 

@@ -33,6 +33,15 @@ struct TessellateOptions {
   ProgressCallback progress;
 };
 
+/// One greedy step, one macrostep or one round of improvement.
+struct TessellationStep {
+  Phase phase = Phase::greedy;
+  double energy = 0;              ///< at its start, mesh units
+  std::uint32_t seeds_moved = 0;  ///< that end it elsewhere than they began it
+  std::uint64_t node_visits = 0;  ///< nodes settled by its searches
+  double seconds = 0;
+};
+
 /// One region, in mesh units.
 struct Region {
   InputId seed = no_id;
@@ -51,6 +60,7 @@ struct Tessellation {
   double energy = 0;             ///< never more than initial_energy
   StopReason stop_reason = StopReason::converged;
   std::uint64_t fingerprint = 0;  ///< of the whole course; the same on every machine
+  std::vector<TessellationStep> trace;
 
   std::shared_ptr<const struct TessellatedGraph> internals;  ///< what remesh() goes on from
 };
@@ -65,5 +75,15 @@ Tessellation tessellate(const Mesh& mesh, const TessellateOptions& options,
 /// The regions of the first seeds as they are: the graph Voronoi diagram.
 Tessellation voronoi(const Mesh& mesh, TessellateOptions options,
                      Runtime& runtime = reference_runtime());
+
+/// The first seeds that tessellate() goes out from.
+std::vector<InputId> first_seeds(const Mesh& mesh, const TessellateOptions& options,
+                                 Runtime& runtime = reference_runtime());
+
+/// Per input id, along the graph of these options to the nearest of `options.first_seeds`, mesh
+/// units. Infinite in components without one, and for vertices of no triangle. Throws InvalidInput
+/// as tessellate() does, but where a component has no seed.
+std::vector<double> distances(const Mesh& mesh, const TessellateOptions& options,
+                              Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd

@@ -17,11 +17,13 @@
 
 #include "geolloyd/choices.h"     // enumerations, progress
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
+#include "geolloyd/fields.h"      // curvature_field, cross_field
 #include "geolloyd/measure.h"     // quality and topology of a mesh
 #include "geolloyd/mesh.h"        // Mesh, read_mesh, write_mesh
 #include "geolloyd/properties.h"  // Properties: colours, normals, labels
 #include "geolloyd/remesh.h"      // remesh
 #include "geolloyd/runtime.h"     // Runtime: who computes
-#include "geolloyd/tessellate.h"  // tessellate, voronoi
+#include "geolloyd/shapes.h"      // generated meshes
+#include "geolloyd/tessellate.h"  // tessellate, voronoi, distances
 #include "geolloyd/threads.h"     // Threads
 #include "geolloyd/types.h"       // ids, Vec3

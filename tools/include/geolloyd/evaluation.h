@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geolloyd/mesh.h"
+#include "geolloyd/remesh.h"
 #include "geolloyd/runtime.h"
 #include "geolloyd/tessellate.h"
 
@@ -48,5 +49,30 @@ struct SurfaceDistance {
 /// or has no area.
 SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::size_t samples,
                                  Runtime& runtime = reference_runtime());
+
+/// The points of a surface that are closest to some points; of equally close ones that of the
+/// smallest triangle. Throws InvalidInput where the mesh is not valid or a point not finite.
+std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec3>& points,
+                                         Runtime& runtime = reference_runtime());
+
+/// A remesh that was tried, and how far it is from the mesh: the largest distance, of both ways,
+/// that samples and vertices find.
+struct ToleranceTrial {
+  std::size_t vertices = 0;
+  double distance = 0;
+};
+
+/// A remesh with about the fewest vertices that is near enough, and what was tried.
+struct ToleranceRemesh {
+  SurfaceRemesh remesh;
+  std::vector<ToleranceTrial> trials;
+};
+
+/// As remesh_surface(), with as few vertices as keep the largest distance within `tolerance`, mesh
+/// units: one with a twentieth fewer was tried and is too far. `options` name no vertex count and
+/// no edge length. Where the progress callback ends the work, the best one so far, or the last
+/// one. Throws InvalidInput also where many vertices are not enough.
+ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, SurfaceRemeshOptions options,
+                              Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd

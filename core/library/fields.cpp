@@ -1,0 +1,18 @@
+#include "geolloyd/fields.h"
+
+#include "core/mesh/cross_field.h"
+#include "core/mesh/curvature_field.h"
+
+namespace geolloyd {
+
+std::vector<TangentSpace> curvature_field(const Mesh& mesh, Runtime& runtime) {
+  validate(mesh);
+  return curvature_field(mesh, find_edges(mesh, runtime.executor()), runtime.executor());
+}
+
+std::vector<TangentSpace> cross_field(const Mesh& mesh, Runtime& runtime) {
+  validate(mesh);
+  return cross_field(mesh, find_edges(mesh, runtime.executor()), runtime.executor());
+}
+
+}  // namespace geolloyd

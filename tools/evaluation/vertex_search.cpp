@@ -1,0 +1,78 @@
+#include "tools/evaluation/vertex_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "geolloyd/errors.h"
+#include "tools/evaluation/surface_distance.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t first = 500;
+constexpr std::size_t least = 4;
+
+[[noreturn]] void give_up(double distance, std::size_t vertices, std::size_t most) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", distance);
+  throw InvalidInput("tolerance: the largest distance is " + std::string(text.data()) + " with " +
+                     std::to_string(vertices) + " vertices, and more than " + std::to_string(most) +
+                     " are not tried; give a larger tolerance");
+}
+
+}  // namespace
+
+VertexSearch::VertexSearch(double tolerance, std::size_t most)
+    : tolerance_(tolerance), most_(std::max(least, most)) {
+  if (!std::isfinite(tolerance) || !(tolerance > 0)) {
+    throw InvalidInput("tolerance: give a distance above 0");
+  }
+}
+
+std::optional<std::size_t> VertexSearch::next() const {
+  if (trials_.empty()) return std::clamp(first, least, most_);
+  // Distance falls with the square of edges, so with the number of vertices.
+  const double distance = trials_.back().distance;
+  const double wanted = static_cast<double>(tried_) * distance / tolerance_;
+  constexpr double hopeless = 10;
+  if (enough_ == 0 && (tried_ == most_ || wanted > hopeless * static_cast<double>(most_))) {
+    give_up(distance, tried_, most_);
+  }
+  constexpr double close = 1.05;
+  const bool is_close = static_cast<double>(enough_) <= close * static_cast<double>(too_few_) ||
+                        enough_ == too_few_ + 1;
+  if (enough_ > 0 && is_close) return std::nullopt;
+  // Far from the bounds the middle serves better.
+  const auto low = static_cast<double>(too_few_);
+  const double high = enough_ > 0 ? static_cast<double>(enough_) : 8 * static_cast<double>(tried_);
+  const double guess =
+      std::clamp(wanted, low * std::pow(high / low, 0.2), low * std::pow(high / low, 0.8));
+  return std::clamp(static_cast<std::size_t>(std::lround(guess)), too_few_ + 1,
+                    enough_ > 0 ? enough_ - 1 : most_);
+}
+
+bool VertexSearch::add(const ToleranceTrial& trial) {
+  tried_ = *next();
+  trials_.push_back(trial);
+  const bool is_within = trial.distance <= tolerance_;
+  const bool is_best = is_within || enough_ == 0;
+  (is_within ? enough_ : too_few_) = tried_;
+  return is_best;
+}
+
+std::size_t most_vertices_to_try(const Mesh& mesh) {
+  return std::max<std::size_t>(100'000, 4 * mesh.vertex_count());
+}
+
+ToleranceTrial measure_trial(const Mesh& mesh, double diagonal, const Mesh& remesh,
+                             Executor& executor) {
+  constexpr std::size_t samples = 200'000;
+  const std::size_t vertices = remesh.vertex_count();
+  if (remesh.triangles.empty()) return {vertices, diagonal};
+  return {vertices, measure_distance(executor, mesh, remesh, samples).two_sided().largest};
+}
+
+}  // namespace geolloyd

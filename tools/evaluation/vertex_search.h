@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/mesh/mesh.h"
+#include "geolloyd/evaluation.h"
+
+namespace geolloyd {
+
+/// The search for the fewest vertices whose remesh is within a tolerance. Distance falls about as
+/// the number of vertices grows. It ends when the best one has at most a twentieth more vertices
+/// than one that is too far.
+class VertexSearch {
+ public:
+  /// Up to `most` vertices are tried, and at least 4.
+  VertexSearch(double tolerance, std::size_t most);
+
+  /// How many to try now; none: the search is over. Throws InvalidInput where more than `most`
+  /// would be needed.
+  [[nodiscard]] std::optional<std::size_t> next() const;
+  /// What the remesh with next() vertices has, and how far it is. True where it is the best so far:
+  /// one within the tolerance, or the last one while there is none.
+  bool add(const ToleranceTrial& trial);
+
+  [[nodiscard]] const std::vector<ToleranceTrial>& trials() const { return trials_; }
+
+ private:
+  double tolerance_;
+  std::size_t most_;
+  std::size_t too_few_ = 3;
+  std::size_t enough_ = 0;  // 0: none yet
+  std::size_t tried_ = 0;   // the last one
+  std::vector<ToleranceTrial> trials_;
+};
+
+/// How many vertices a search for a remesh of this mesh may try.
+std::size_t most_vertices_to_try(const Mesh& mesh);
+
+/// The remesh's vertices, and the largest distance of both ways. A remesh without triangles is as
+/// far as the mesh is large: `diagonal` of its bounding box.
+ToleranceTrial measure_trial(const Mesh& mesh, double diagonal, const Mesh& remesh,
+                             Executor& executor);
+
+}  // namespace geolloyd
