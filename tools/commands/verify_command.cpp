@@ -120,7 +120,8 @@ void verify_remesh(const VerifyArguments& a) {
   options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
   options.features = read_features(a.features, loaded);
   announce_memory(loaded.input.file.string(),
-                  estimate_remesh_memory(loaded, a.vertices, options, std::nullopt, scheduler));
+                  estimate_remesh_memory(loaded.input, loaded.edges, a.vertices, options,
+                                         std::nullopt, scheduler));
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(

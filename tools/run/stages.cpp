@@ -27,42 +27,6 @@
 namespace geolloyd {
 namespace {
 
-// Of all there is to come, once the edges are known.
-std::uint64_t estimate_memory(const GraphArguments& arguments, const LoadedInput& loaded,
-                              std::size_t seeds, const Purpose& purpose, Scheduler& scheduler) {
-  const Mesh& mesh = loaded.input.mesh();
-  const GraphKind kind = arguments.kind;
-  RunSize size;
-  size.vertices = mesh.vertex_count();
-  size.triangles = mesh.triangle_count();
-  size.edges = loaded.edges.size();
-  size.nodes =
-      (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
-  size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_arcs(mesh, loaded.edges, kind, scheduler);
-  check_arc_count(size.links);
-  size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
-  size.threads = scheduler.threads();
-  size.has_field = !arguments.vfield.empty();
-  size.has_curvature_field = arguments.has_curvature_field();
-  size.has_cross_field = arguments.has_cross_field();
-  size.is_reference = purpose.engine == EngineKind::reference;
-  size.has_ground_truth = purpose.has_ground_truth;
-  size.has_remesh = purpose.has_remesh;
-  size.property_bytes = bytes_of(loaded.input.loaded.properties);
-  const SeedInit init =
-      purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
-  size.has_coarse_graph = init == SeedInit::coarse;
-  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
-  if (init == SeedInit::surface) {
-    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
-  }
-  if (purpose.picture) {
-    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
-  }
-  return memory_to_run(size);
-}
-
 MeshGraphOptions graph_options(const GraphArguments& arguments, const LoadedInput& loaded,
                                Executor& executor) {
   return {arguments.kind, arguments.norm,
@@ -110,6 +74,42 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
+std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
+                              const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
+                              Scheduler& scheduler) {
+  const Mesh& mesh = input.mesh();
+  const GraphKind kind = arguments.kind;
+  RunSize size;
+  size.vertices = mesh.vertex_count();
+  size.triangles = mesh.triangle_count();
+  size.edges = edges.size();
+  size.nodes =
+      (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
+  size.has_triangle_nodes = has_triangles(kind);
+  size.links = count_arcs(mesh, edges, kind, scheduler);
+  check_arc_count(size.links);
+  size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
+  size.threads = scheduler.threads();
+  size.has_field = !arguments.vfield.empty();
+  size.has_curvature_field = arguments.has_curvature_field();
+  size.has_cross_field = arguments.has_cross_field();
+  size.is_reference = purpose.engine == EngineKind::reference;
+  size.has_ground_truth = purpose.has_ground_truth;
+  size.has_remesh = purpose.has_remesh;
+  size.property_bytes = bytes_of(input.loaded.properties);
+  const SeedInit init =
+      purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
+  size.has_coarse_graph = init == SeedInit::coarse;
+  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
+  if (init == SeedInit::surface) {
+    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
+  }
+  if (purpose.picture) {
+    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
+  }
+  return memory_to_run(size);
+}
+
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor) {
   if (arguments.vfield.empty()) return {};
@@ -120,7 +120,8 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
                        const Purpose& purpose, Scheduler& scheduler) {
-  const std::uint64_t estimate = estimate_memory(arguments, loaded, 1, purpose, scheduler);
+  const std::uint64_t estimate =
+      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, scheduler);
   announce_memory(loaded.input.file.string(), estimate);
   return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
                           graph_options(arguments, loaded, scheduler), scheduler),
@@ -139,7 +140,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   LoadedInput loaded =
       load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
   const std::string seeds_text = seeds.file.empty() ? "" : read_file(seeds.file);
-  start.memory_estimate = estimate_memory(arguments.graph, loaded,
+  start.memory_estimate = estimate_memory(arguments.graph, loaded.input, loaded.edges,
                                           seeds.file.empty() ? seeds.count : most_seeds(seeds_text),
                                           purpose, scheduler);
   announce_memory(loaded.input.file.string(), start.memory_estimate);

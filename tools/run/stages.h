@@ -34,6 +34,11 @@ struct Purpose {
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor);
 
+/// Bytes that a run with so many seeds takes at most.
+std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
+                              const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
+                              Scheduler& scheduler);
+
 struct BuiltGraph {
   MeshGraph mesh_graph;
   std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it with a single seed

@@ -32,9 +32,8 @@ namespace {
 
 // How many vertices the surface on which sites move has, about: edges that are longer are halved
 // again and again (core/surface/split_edges.h).
-std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, double longest,
+std::uint64_t estimate_fine_vertices(const Mesh& mesh, const MeshEdges& edges, double longest,
                                      Scheduler& scheduler) {
-  const Mesh& mesh = loaded.input.mesh();
   const auto pieces = [&](VertexId a, VertexId b) {
     const double length = norm(mesh.positions[a] - mesh.positions[b]);
     double count = 1;
@@ -42,14 +41,14 @@ std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, double longest,
     return count;
   };
   // Whole numbers: sums are exact.
-  auto added = parallel_reduce<double>(
-      scheduler, loaded.edges.size(), small_items, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t e = begin; e < end; ++e) {
-          sum += pieces(loaded.edges.ends[e][0], loaded.edges.ends[e][1]) - 1;
-        }
-        return sum;
-      });
+  auto added = parallel_reduce<double>(scheduler, edges.size(), small_items,
+                                       [&](std::size_t begin, std::size_t end) {
+                                         double sum = 0;
+                                         for (std::size_t e = begin; e < end; ++e) {
+                                           sum += pieces(edges.ends[e][0], edges.ends[e][1]) - 1;
+                                         }
+                                         return sum;
+                                       });
   added += parallel_reduce<double>(
       scheduler, mesh.triangle_count(), small_items, [&](std::size_t begin, std::size_t end) {
         double sum = 0;
@@ -74,21 +73,21 @@ bool varies(const SurfaceRemeshOptions& options) {
 
 // With features, edges are shorter (core/surface/surface_remesh.cpp). Whether there are any is only
 // asked where it makes a difference.
-std::uint64_t estimate_fine_vertices(const LoadedInput& loaded, std::size_t vertices,
-                                     const SurfaceRemeshOptions& options, Scheduler& scheduler) {
-  const double area = loaded.input.facts.area;
+std::uint64_t estimate_fine_vertices(const Input& input, const MeshEdges& edges,
+                                     std::size_t vertices, const SurfaceRemeshOptions& options,
+                                     Scheduler& scheduler) {
+  const double area = input.facts.area;
   const double root = std::sqrt(area / static_cast<double>(vertices));
   const double spacing = spacing_of(area, static_cast<double>(vertices));
-  const std::uint64_t without = estimate_fine_vertices(loaded, 0.6 * root, scheduler);
-  const std::uint64_t with = estimate_fine_vertices(loaded, 0.42 * spacing, scheduler);
+  const std::uint64_t without = estimate_fine_vertices(input.mesh(), edges, 0.6 * root, scheduler);
+  const std::uint64_t with = estimate_fine_vertices(input.mesh(), edges, 0.42 * spacing, scheduler);
   if (varies(options)) {
     constexpr std::uint64_t per_vertex = 24;  // edges shorter than 0.42 spacings are not halved
-    return std::max(with, loaded.input.mesh().vertex_count() + per_vertex * vertices);
+    return std::max(with, input.mesh().vertex_count() + per_vertex * vertices);
   }
   if (with <= without + without / 8) return with;
   const bool has_features =
-      !find_features(loaded.input.mesh(), loaded.edges, options.features, spacing, scheduler)
-           .empty();
+      !find_features(input.mesh(), edges, options.features, spacing, scheduler).empty();
   return has_features ? with : without;
 }
 
@@ -198,20 +197,20 @@ std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions
   return std::max<std::size_t>(4, static_cast<std::size_t>(count));
 }
 
-std::uint64_t estimate_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                     const SurfaceRemeshOptions& options,
+std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
+                                     std::size_t vertices, const SurfaceRemeshOptions& options,
                                      const std::optional<PictureArguments>& picture,
                                      Scheduler& scheduler) {
-  const Mesh& mesh = loaded.input.mesh();
+  const Mesh& mesh = input.mesh();
   RemeshSize size;
   size.vertices = mesh.vertex_count();
   size.triangles = mesh.triangle_count();
-  size.edges = loaded.edges.size();
-  size.fine_vertices = estimate_fine_vertices(loaded, vertices, options, scheduler);
+  size.edges = edges.size();
+  size.fine_vertices = estimate_fine_vertices(input, edges, vertices, options, scheduler);
   size.remesh_vertices = vertices;
   size.has_field = !options.field.empty();
   size.threads = scheduler.threads();
-  size.property_bytes = bytes_of(loaded.input.loaded.properties);
+  size.property_bytes = bytes_of(input.loaded.properties);
   if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
   return memory_to_remesh(size);
 }

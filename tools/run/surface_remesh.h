@@ -37,8 +37,8 @@ std::size_t about_how_many(const LoadedInput& loaded, const SurfaceRemeshOptions
                            Scheduler& scheduler);
 
 /// Bytes, of the whole run, with a picture if one will be drawn.
-std::uint64_t estimate_remesh_memory(const LoadedInput& loaded, std::size_t vertices,
-                                     const SurfaceRemeshOptions& options,
+std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
+                                     std::size_t vertices, const SurfaceRemeshOptions& options,
                                      const std::optional<PictureArguments>& picture,
                                      Scheduler& scheduler);
 

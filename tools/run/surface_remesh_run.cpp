@@ -61,7 +61,7 @@ class Remesher {
 
   void check_memory(std::size_t vertices, SurfaceRemeshResult& result) {
     const std::uint64_t bytes = estimate_remesh_memory(
-        loaded_, vertices, options_,
+        loaded_.input, loaded_.edges, vertices, options_,
         arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
         scheduler_);
     check_memory_(bytes);
