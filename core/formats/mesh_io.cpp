@@ -1,9 +1,8 @@
 #include "core/formats/mesh_io.h"
 
-#include <optional>
-
 #include "core/base/bounding_box.h"
 #include "core/formats/mesh_readers.h"
+#include "core/text/compression.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 
@@ -23,15 +22,6 @@ ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view 
       break;
   }
   return read_stl(bytes, name);
-}
-
-std::optional<MeshFormat> known_format(const std::filesystem::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".obj") return MeshFormat::obj;
-  if (extension == ".off") return MeshFormat::off;
-  if (extension == ".stl") return MeshFormat::stl;
-  return std::nullopt;
 }
 
 void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
@@ -56,15 +46,17 @@ void check_extent(const Mesh& mesh, std::string_view name) {
 }  // namespace
 
 LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  const MeshFormat format = format_of(path);
-  return parse_mesh(format, read_file(path), path.string(), options);
+  const MeshFormat format = format_to_read(path);
+  const std::string name = path.string();
+  return parse_mesh(format, unpack(read_file(path), name, options.most_bytes), name, options);
 }
 
 LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
                       const ReadOptions& options) {
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
-  if (bytes.starts_with("\x1f\x8b\x08"))
-    fail_at_byte(name, 0, "the file is compressed; gunzip it first");
+  if (compression_of(bytes) != Compression::none) {
+    fail_at_byte(name, 0, "the file is compressed more than once; unpack it first");
+  }
   ParsedMesh loaded = parse_as(format, bytes, name, options);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
@@ -72,17 +64,6 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
   spread_over_triangles(loaded.fans, loaded.mesh.triangle_count(), 64 * bytes.size(),
                         loaded.properties);
   return static_cast<LoadedMesh&&>(loaded);
-}
-
-MeshFormat format_of(const std::filesystem::path& path) {
-  if (const auto format = known_format(path)) return *format;
-  throw InvalidInput(path.string() + ": unknown extension " +
-                     in_quotes(lower_case(path.extension().string())) +
-                     "; .ply, .obj, .off and .stl are understood");
-}
-
-bool has_mesh_name(const std::filesystem::path& path) {
-  return known_format(path).has_value();
 }
 
 void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {

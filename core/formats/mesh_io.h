@@ -22,12 +22,6 @@ void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties 
 /// Removes what write_mesh would pass over in a file of that name, and says so in `left_out`.
 void keep_writable(const std::filesystem::path& path, Properties& properties);
 
-/// Throws InvalidInput where the extension is none of these, which read_mesh and write_mesh do too.
-void check_mesh_name(const std::filesystem::path& path);
-
-/// That the extension is one of these.
-bool has_mesh_name(const std::filesystem::path& path);
-
 /// PLY as write_mesh does, with these faces. A quadrilateral has the properties of its first
 /// triangle.
 void write_faces_ply(FileWriter& out, const Mesh& mesh, std::span<const Face> faces,

@@ -9,22 +9,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "core/formats/polygons.h"
 #include "core/text/text_cursor.h"
 
 namespace geolloyd {
-
-enum class MeshFormat { ply, obj, off, stl };
-
-/// Told by the extension; throws InvalidInput where it is none of ours.
-MeshFormat format_of(const std::filesystem::path& path);
 
 /// What a reader finds: polygons are fans yet, as their vertices may come after them.
 struct ParsedMesh : LoadedMesh {

@@ -181,14 +181,9 @@ void write_stl(FileWriter& out, const Mesh& mesh) {
 
 }  // namespace
 
-void check_mesh_name(const std::filesystem::path& path) {
-  (void)format_of(path);
-}
-
 void keep_writable(const std::filesystem::path& path, Properties& properties) {
-  const MeshFormat format = format_of(path);
+  const MeshFormat format = format_to_write(path);
   if (format == MeshFormat::ply) return;
-  static constexpr std::array<const char*, 4> names = {"PLY", "OBJ", "OFF", "STL"};
   const TextProperties held(format, properties);
   const auto keep = [&](const std::vector<Property>& all, const char* what) {
     std::vector<Property> kept;
@@ -198,8 +193,7 @@ void keep_writable(const std::filesystem::path& path, Properties& properties) {
     }
     if (!lost.empty()) {
       properties.left_out.push_back(list_names(lost) + " of " + what + ": " +
-                                    names[static_cast<std::size_t>(format)] +
-                                    " has no place for them; PLY has");
+                                    facts_of(format).name + " has no place for them; PLY has");
     }
     return kept;
   };
@@ -210,7 +204,7 @@ void keep_writable(const std::filesystem::path& path, Properties& properties) {
 }
 
 void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties) {
-  const MeshFormat format = format_of(out.path());
+  const MeshFormat format = format_to_write(out.path());
   switch (format) {
     case MeshFormat::ply:
       return write_labelled_ply(out, mesh, {}, {}, properties);

@@ -61,12 +61,9 @@ std::FILE* open_unnamed(const std::filesystem::path& folder) {
   return file;
 }
 
-}  // namespace
-
-std::string read_file(const std::filesystem::path& path) {
-  const Descriptor file(path);
+std::string read_all(int descriptor, const std::filesystem::path& path) {
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) fail(path, "cannot read", errno);
+  if (::fstat(descriptor, &status) != 0) fail(path, "cannot read", errno);
   if (S_ISDIR(status.st_mode)) fail(path, "cannot read", EISDIR);
   // Some never end.
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) {
@@ -78,7 +75,7 @@ std::string read_file(const std::filesystem::path& path) {
   std::size_t filled = 0;
   while (true) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size());
-    const ssize_t count = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
+    const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(path, "cannot read", errno);
     if (count == 0) break;
@@ -86,6 +83,16 @@ std::string read_file(const std::filesystem::path& path) {
   }
   bytes.resize(filled);
   return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  return read_all(Descriptor(path).number(), path);
+}
+
+std::string read_standard_input(const std::string& name) {
+  return read_all(STDIN_FILENO, name);
 }
 
 OutputFile::OutputFile(std::filesystem::path path)

@@ -11,6 +11,8 @@ namespace geolloyd {
 /// The whole file, or all that comes through a pipe. Throws IoError (missing, a directory, a
 /// device, unreadable), naming it.
 std::string read_file(const std::filesystem::path& path);
+/// The same of standard input, which messages call `name`.
+std::string read_standard_input(const std::string& name);
 
 /// A file that appears whole, by commit(), or not at all. Until then it has no name, so that
 /// nothing is left of it however the program ends. It has a temporary name beside its place,

@@ -6,18 +6,22 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/text/compression.h"
 #include "core/text/file_io.h"
 
 namespace geolloyd {
 
-/// An OutputFile for many small pieces, text or binary. Numbers do not depend on the locale.
+/// An OutputFile for many small pieces, text or binary. Numbers do not depend on the locale. Where
+/// the name ends in ".gz" or ".zst" the file is packed.
 class FileWriter {
  public:
-  explicit FileWriter(std::filesystem::path path) : path_(std::move(path)), file_(path_) {}
+  explicit FileWriter(std::filesystem::path path)
+      : path_(std::move(path)), file_(path_), packer_(make_packer(path_, file_)) {}
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Where the file will be: path(), or what it links to.
@@ -26,7 +30,7 @@ class FileWriter {
   void text(std::string_view text) {
     if (text.size() > buffer_.size()) {
       flush();
-      file_.write(text);
+      write(text);
       return;
     }
     std::memcpy(room(text.size()), text.data(), text.size());
@@ -54,6 +58,8 @@ class FileWriter {
 
   void finish() {
     flush();
+    if (packer_) packer_->finish();
+    packer_.reset();
     file_.finish();
   }
 
@@ -72,12 +78,21 @@ class FileWriter {
 
   void flush() {
     if (used_ == 0) return;
-    file_.write({buffer_.data(), used_});
+    write({buffer_.data(), used_});
     used_ = 0;
+  }
+
+  void write(std::string_view bytes) {
+    if (packer_) {
+      packer_->write(bytes);
+    } else {
+      file_.write(bytes);
+    }
   }
 
   std::filesystem::path path_;
   OutputFile file_;
+  std::unique_ptr<Packer> packer_;  ///< null: not packed
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 18);
   std::size_t used_ = 0;
 };

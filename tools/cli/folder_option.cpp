@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/formats/mesh_io.h"
+#include "core/formats/mesh_formats.h"
 
 namespace geolloyd {
 

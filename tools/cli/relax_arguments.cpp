@@ -9,12 +9,13 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/words/mesh_files.h"
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
 
 void add_mesh_argument(CLI::App& command, StartArguments& start) {
-  command.add_option("MESH", start.mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
+  command.add_option("MESH", start.mesh, input_mesh_text)->type_name("")->required();
 }
 
 namespace {

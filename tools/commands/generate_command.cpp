@@ -12,6 +12,7 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
@@ -30,7 +31,7 @@ void add_generate_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("generate", "Generate a mesh of a shape");
   const auto arguments = std::make_shared<GenerateArguments>();
   add_choice(*command, "SHAPE", arguments->shape, shape_names, "Shape of the mesh")->required();
-  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+  command->add_option("-o,--output", arguments->output, "File to write: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
   whole_number(command->add_option("-t,--triangles", arguments->triangles,

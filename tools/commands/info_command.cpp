@@ -13,6 +13,7 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
@@ -45,9 +46,7 @@ void run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Print mesh statistics");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
-      ->type_name("")
-      ->required();
+  command->add_option("MESH", arguments->mesh, input_mesh_text)->type_name("")->required();
   command->add_flag("--json", arguments->json, "Print JSON, for scripts");
   command->callback([arguments] { run_info(*arguments); });
 }

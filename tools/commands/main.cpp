@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geolloyd/errors.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/memory_option.h"
 #include "tools/cli/suggestion.h"
 #include "tools/commands/commands.h"
@@ -134,7 +135,10 @@ void run(int argc, char** argv) {
   geolloyd::add_info_command(program);
   geolloyd::add_repair_command(program);
   geolloyd::add_quality_command(program);
-  for (CLI::App* command : program.get_subcommands({})) geolloyd::add_memory_option(*command);
+  for (CLI::App* command : program.get_subcommands({})) {
+    geolloyd::add_memory_option(*command);
+    if (command->get_name() != "generate") geolloyd::add_format_option(*command);
+  }
   refuse_empty_values(program);
   try {
     program.parse(argc, argv);

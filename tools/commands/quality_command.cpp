@@ -13,6 +13,7 @@
 #include "tools/report/quality_output.h"
 #include "tools/run/quality.h"
 #include "tools/run/stages.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
@@ -47,9 +48,7 @@ void add_quality_command(CLI::App& program) {
   const auto a = std::make_shared<QualityArguments>();
   QualityInput& input = a->input;
   input.samples = 500'000;
-  command->add_option("REMESH", input.remesh, "PLY, OBJ, OFF or STL file")
-      ->type_name("")
-      ->required();
+  command->add_option("REMESH", input.remesh, input_mesh_text)->type_name("")->required();
   command->add_option("--original", input.original, "Mesh that the remesh was made from")
       ->type_name("MESH");
   whole_number(command->add_option("--samples", input.samples,

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "core/formats/mesh_io.h"
+#include "core/formats/mesh_formats.h"
+#include "core/text/compression.h"
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
@@ -34,19 +35,17 @@
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<Named<const char*>> format_names = {
-    {"ply", ".ply"}, {"obj", ".obj"}, {"off", ".off"}, {"stl", ".stl"}};
-
 struct RemeshAllArguments {
-  std::vector<fs::path> inputs;     ///< folders and meshes
-  SurfaceRemeshArguments each;      ///< but for the files
-  const char* extension = nullptr;  ///< null: as the input's
+  std::vector<fs::path> inputs;      ///< folders and meshes
+  SurfaceRemeshArguments each;       ///< but for the files
+  std::optional<MeshFormat> format;  ///< nothing: as the input's
   fs::path folder;
   bool has_reports = false;
 };
@@ -61,7 +60,7 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
     }
   }
   if (meshes.empty()) {
-    throw InvalidInput(folder.string() + ": no mesh in this folder: PLY, OBJ, OFF or STL files");
+    throw InvalidInput(folder.string() + ": no mesh in this folder");
   }
   std::sort(meshes.begin(), meshes.end());
   return meshes;
@@ -80,7 +79,7 @@ std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
       if (!has_mesh_name(input) && !fs::exists(input)) {
         throw InvalidInput(input.string() + ": no such folder");
       }
-      check_mesh_name(input);
+      (void)format_to_read(input);
       add(input);
     }
   }
@@ -96,13 +95,16 @@ std::vector<RemeshTask> make_tasks(const RemeshAllArguments& arguments) {
   std::map<fs::path, fs::path> input_of;
   for (const fs::path& mesh : meshes) {
     fs::path name = mesh.filename();
-    if (arguments.extension != nullptr) name.replace_extension(arguments.extension);
+    if (arguments.format) {
+      name =
+          name_without_compression(name).replace_extension(facts_of(*arguments.format).extension);
+    }
     const fs::path output = arguments.folder / name;
     const auto [other, is_new] = input_of.emplace(output, mesh);
     if (!is_new) {
-      throw InvalidInput(fmt::format(
-          "{} and {} would both become {}: rename one{}", other->second.string(), mesh.string(),
-          output.string(), arguments.extension == nullptr ? "" : ", or leave out --format"));
+      throw InvalidInput(fmt::format("{} and {} would both become {}: rename one{}",
+                                     other->second.string(), mesh.string(), output.string(),
+                                     !arguments.format ? "" : ", or leave out --format"));
     }
     if (inputs.contains(fs::weakly_canonical(output))) {
       throw InvalidInput(output.string() + ": would be overwritten: write somewhere else");
@@ -278,8 +280,7 @@ void add_remesh_all_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("remesh-all", "Remesh many meshes at once, each as remesh does");
   const auto a = std::make_shared<RemeshAllArguments>();
-  command
-      ->add_option("INPUT", a->inputs, "Folders of meshes, or meshes: PLY, OBJ, OFF or STL files")
+  command->add_option("INPUT", a->inputs, "Folders of meshes, or meshes")
       ->type_name("")
       ->required();
   add_fineness_options(*command, a->each.fineness);
@@ -287,8 +288,12 @@ void add_remesh_all_command(CLI::App& program) {
                                   "Folder for the remeshes, each named as its input, and for\n"
                                   "remesh-all.csv and remesh-all.json"))
       ->required();
-  add_choice(*command, "--format", a->extension, format_names,
-             "Format of the remeshes (default: that of each input)");
+  const auto set_format = [a](const std::string& name) {
+    a->format = value_of(written_format_names, name);
+  };
+  one_of(command->add_option_function<std::string>(
+             "--format", set_format, "Format of the remeshes (default: that of each input)"),
+         written_format_names);
   command->add_flag("--reports", a->has_reports,
                     "For each remesh a report, NAME.json, as remesh --report has it");
   add_adapt_options(*command, a->each.sizing);

@@ -15,6 +15,7 @@
 #include "tools/system/machine.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
@@ -58,9 +59,9 @@ void add_remesh_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "remesh", "Remesh a mesh as regularly as can be: vertices move freely over its surface");
   const auto a = std::make_shared<SurfaceRemeshArguments>();
-  command->add_option("MESH", a->mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
+  command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
   add_fineness_options(*command, a->fineness);
-  command->add_option("-o,--output", a->output, "PLY, OBJ, OFF or STL file for the remesh")
+  command->add_option("-o,--output", a->output, "File for the remesh: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
   command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");

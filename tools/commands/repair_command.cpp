@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
+#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
@@ -26,6 +27,7 @@
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
@@ -49,7 +51,7 @@ struct RepairCommandArguments {
 };
 
 void check_targets(const RepairCommandArguments& arguments) {
-  check_mesh_name(arguments.output);
+  (void)format_to_write(arguments.output);
   std::vector<std::filesystem::path> others = {arguments.mesh};
   for (const auto& file : arguments.outputs()) {
     check_target(file, others);
@@ -127,8 +129,8 @@ void add_repair_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "repair", "Repair a mesh: duplicates, cracks, slivers, orientations, small holes");
   const auto a = std::make_shared<RepairCommandArguments>();
-  command->add_option("MESH", a->mesh, "PLY, OBJ, OFF or STL file")->type_name("")->required();
-  command->add_option("-o,--output", a->output, "PLY, OBJ, OFF or STL file for the repaired mesh")
+  command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
+  command->add_option("-o,--output", a->output, "File for the repaired mesh:\n" + output_mesh_text)
       ->type_name("FILE")
       ->required();
   command

@@ -14,6 +14,7 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
@@ -53,14 +54,12 @@ void add_subdivide_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "subdivide", "Subdivide the triangles of a mesh; the surface stays the same");
   const auto arguments = std::make_shared<SubdivideArguments>();
-  command->add_option("MESH", arguments->mesh, "PLY, OBJ, OFF or STL file")
-      ->type_name("")
-      ->required();
+  command->add_option("MESH", arguments->mesh, input_mesh_text)->type_name("")->required();
   add_choice_list(*command, "-s,--scheme", arguments->schemes, scheme_names,
                   "midpoint splits a triangle into 4, barycentric into 6; schemes separated\n"
                   "by commas are applied in turn")
       ->required();
-  command->add_option("-o,--output", arguments->output, "PLY, OBJ, OFF or STL file to write")
+  command->add_option("-o,--output", arguments->output, "File to write: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
   command->callback([arguments] {

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "core/formats/mesh_io.h"
+#include "core/formats/mesh_formats.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 #include "tools/files/folder_lock.h"
@@ -31,7 +31,7 @@ void check_target(const std::filesystem::path& target,
 }
 
 void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other) {
-  check_mesh_name(target);
+  (void)format_to_write(target);
   check_target(target, std::span(&other, 1));
 }
 

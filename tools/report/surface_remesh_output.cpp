@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "geolloyd/errors.h"
 #include "tools/files/csv.h"
@@ -282,7 +283,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
 }  // namespace
 
 void check_remesh_targets(const SurfaceRemeshArguments& a) {
-  check_mesh_name(a.output);
+  (void)format_to_write(a.output);
   std::vector<std::filesystem::path> others = a.inputs();
   for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file}) {
     if (file.empty()) continue;

@@ -1,33 +1,52 @@
 #include "tools/run/input.h"
 
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/formats/mesh_formats.h"
+#include "core/formats/mesh_readers.h"
 #include "core/mesh/properties.h"
+#include "core/text/compression.h"
+#include "core/text/file_io.h"
 #include "geolloyd/errors.h"
+#include "tools/system/input_format.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 
 namespace {
 
-bool is_readable_without_properties(const std::filesystem::path& file) {
+// Where the name tells none, what --format says.
+MeshFormat format_of_input(const std::filesystem::path& file) {
+  const bool is_told = file != standard_input && known_format(file);
+  if (!is_told && input_format()) return *input_format();
+  if (file == standard_input) {
+    throw InvalidInput("standard input: say what it is, such as --format ply");
+  }
+  return format_to_read(file);
+}
+
+bool is_readable_without_properties(MeshFormat format, std::string_view bytes,
+                                    std::string_view name) {
   try {
-    (void)read_mesh(file);
+    (void)parse_mesh(format, bytes, name);
     return true;
   } catch (const Error&) {
     return false;
   }
 }
 
-LoadedMesh read(const std::filesystem::path& file, const ReadOptions& options) {
+LoadedMesh parse(MeshFormat format, std::string_view bytes, std::string_view name,
+                 const ReadOptions& options) {
   try {
-    return read_mesh(file, options);
+    return parse_mesh(format, bytes, name, options);
   } catch (const InvalidInput& error) {
-    if (!options.properties || !is_readable_without_properties(file)) throw;
+    if (!options.properties || !is_readable_without_properties(format, bytes, name)) throw;
     throw InvalidInput(std::string(error.what()) + "; --drop does without properties");
   }
 }
@@ -35,13 +54,17 @@ LoadedMesh read(const std::filesystem::path& file, const ReadOptions& options) {
 }  // namespace
 
 LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptions& options) {
+  const MeshFormat format = format_of_input(file);
+  const bool is_file = file != standard_input;
+  const std::string name = is_file ? file.string() : "standard input";
   std::error_code unknown;  // is for the reader to tell
   const auto file_size = std::filesystem::file_size(file, unknown);
-  if (!unknown) require_memory(file.string(), memory_to_read(file_size));
-  LoadedMesh loaded = read(file, options);
-  require_memory(file.string(),
-                 memory_to_check(loaded.mesh.vertex_count(), loaded.mesh.triangle_count(),
-                                 bytes_of(loaded.properties)));
+  if (!unknown && is_file) require_memory(name, memory_to_read(file_size));
+  std::string bytes = is_file ? read_file(file) : read_standard_input(name);
+  bytes = unpack(std::move(bytes), name, allowed_memory());
+  LoadedMesh loaded = parse(format, bytes, name, options);
+  require_memory(name, memory_to_check(loaded.mesh.vertex_count(), loaded.mesh.triangle_count(),
+                                       bytes_of(loaded.properties)));
   return loaded;
 }
 

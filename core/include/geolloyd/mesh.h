@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,9 +43,11 @@ struct LoadedMesh {
 
 struct ReadOptions {
   bool properties = false;  ///< read them, too: they may take more memory than the mesh
+  std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max();  ///< of an unpacked file
 };
 
-/// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive).
+/// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive), also packed by gzip
+/// or zstd ("scan.ply.gz", "scan.ply.zst"), which the first bytes tell.
 ///
 /// A polygon of n corners becomes n - 2 triangles, in order, so triangle ids count those: a fan
 /// around its first corner, or, where it is concave and flat, others that cover it. Throws IoError
@@ -57,12 +61,12 @@ struct ReadOptions {
 /// refused in the same way if properties are asked for; else nobody looks at it.
 LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension. The file
-/// appears whole or not at all. No coordinate loses a digit, except in STL, which knows float32
-/// only. PLY holds all properties, with their bits, OBJ and OFF colours, normals and texture
-/// coordinates of vertices, OFF also colours of triangles, STL none; the others are left out.
-/// Throws IoError where the file cannot be written, InvalidInput where the mesh is not valid, or
-/// where properties do not fit it.
+/// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension; packed where
+/// ".gz" or ".zst" stands behind it. The file appears whole or not at all. No coordinate loses a
+/// digit, except in STL, which knows float32 only. PLY holds all properties, with their bits, OBJ
+/// and OFF colours, normals and texture coordinates of vertices, OFF also colours of triangles, STL
+/// none; the others are left out. Throws IoError where the file cannot be written, InvalidInput
+/// where the mesh is not valid, or where properties do not fit it.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 const Properties& properties = {});
 
