@@ -14,7 +14,7 @@ function table() {
          "core/base core/text core/mesh core/repair core/formats core/shapes core/graph core/voronoi " \
          "core/seeds core/lloyd core/remesh core/surface core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
-         "tools/include/geolloyd tools/words tools/evaluation tools/render " \
+         "tools/include/geolloyd tools/words tools/evaluation tools/render tools/python " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \

@@ -1,6 +1,7 @@
 #include "core/library/tessellated_graph.h"
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -25,6 +26,13 @@ bool has_usable_values(const TangentSpace& space) {
   return all(space.tangent) && all(space.bitangent) && is_usable(space.tangent_magnitude) &&
          is_usable(space.bitangent_magnitude) && space.tangent_magnitude >= 0 &&
          space.bitangent_magnitude >= 0;
+}
+
+// What has length 1 but for rounding keeps its bits, so the surface's own fields do.
+Vec3 unit(const Vec3& direction) {
+  constexpr double rounding = 1e-14;
+  const bool is_unit = std::abs(direction.squaredNorm() - 1) <= rounding;
+  return is_unit ? direction : normalized(direction);
 }
 
 }  // namespace
@@ -59,8 +67,8 @@ std::vector<TangentSpace> checked_field(std::span<const TangentSpace> field,
   }
   std::vector<TangentSpace> checked(field.begin(), field.end());
   for (std::size_t v = 0; v < field.size(); ++v) {
-    checked[v].tangent = normalized(field[v].tangent);
-    checked[v].bitangent = normalized(field[v].bitangent);
+    checked[v].tangent = unit(field[v].tangent);
+    checked[v].bitangent = unit(field[v].bitangent);
     if (has_usable_values(field[v])) continue;
     throw InvalidInput("field[" + std::to_string(v) +
                        "]: directions must be finite, magnitudes finite and not negative");

@@ -21,8 +21,8 @@ struct TessellatedGraph {
 /// unknown, without a node or repeated.
 std::vector<NodeId> nodes_of_seeds(const MeshGraph& mesh_graph, std::span<const InputId> seeds);
 
-/// The same field with directions of length 1. Throws InvalidInput where it is neither empty nor
-/// one usable space per vertex.
+/// The same field with directions of length 1; those that are so long but for rounding stay. Throws
+/// InvalidInput where it is neither empty nor one usable space per vertex.
 std::vector<TangentSpace> checked_field(std::span<const TangentSpace> field,
                                         std::size_t vertex_count);
 

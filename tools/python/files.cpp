@@ -1,0 +1,94 @@
+#include <pybind11/stl/filesystem.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "geolloyd/mesh.h"
+#include "geolloyd/shapes.h"
+#include "tools/python/arrays.h"
+#include "tools/python/module.h"
+#include "tools/words/names.h"
+
+namespace geolloyd {
+namespace {
+
+py::dict arrays_of(std::vector<Property>&& properties) {
+  py::dict arrays;
+  for (Property& property : properties) {
+    std::visit(
+        [&](auto& values) {
+          using Number = typename std::decay_t<decltype(values)>::value_type;
+          arrays[py::str(property.name)] = array_of<Number>(std::move(values));
+        },
+        property.values);
+  }
+  return arrays;
+}
+
+template <class Number>
+bool take(const py::array& array, PropertyValues& values) {
+  if (!py::isinstance<py::array_t<Number, py::array::c_style>>(array)) return false;
+  const auto numbers = py::array_t<Number, py::array::c_style>(array);
+  values = std::vector<Number>(numbers.data(), numbers.data() + numbers.size());
+  return true;
+}
+
+std::vector<Property> properties_of(const py::dict& arrays) {
+  std::vector<Property> properties;
+  properties.reserve(arrays.size());
+  for (const auto& [name, value] : arrays) {
+    Property property;
+    property.name = py::str(name).cast<std::string>();
+    const auto array = py::cast<py::array>(value);
+    PropertyValues& to = property.values;
+    const bool is_taken = take<std::int8_t>(array, to) || take<std::uint8_t>(array, to) ||
+                          take<std::int16_t>(array, to) || take<std::uint16_t>(array, to) ||
+                          take<std::int32_t>(array, to) || take<std::uint32_t>(array, to) ||
+                          take<float>(array, to) || take<double>(array, to);
+    if (!is_taken) throw InvalidInput(property.name + ": numbers of a type that files do not have");
+    properties.push_back(std::move(property));
+  }
+  return properties;
+}
+
+py::tuple read(const std::filesystem::path& path) {
+  LoadedMesh loaded;
+  {
+    const py::gil_scoped_release working;
+    loaded = read_mesh(path, {true});
+  }
+  auto [vertices, faces] = arrays_of(std::move(loaded.mesh));
+  return py::make_tuple(vertices, faces, arrays_of(std::move(loaded.properties.of_vertices)),
+                        arrays_of(std::move(loaded.properties.of_triangles)));
+}
+
+void write(const std::filesystem::path& path, const NumberArray& vertices, const IdArray& faces,
+           const py::dict& of_vertices, const py::dict& of_triangles) {
+  const Mesh mesh = mesh_of(vertices, faces);
+  const Properties properties{properties_of(of_vertices), properties_of(of_triangles), {}};
+  const py::gil_scoped_release working;
+  write_mesh(path, mesh, properties);
+}
+
+py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_t random_seed) {
+  const Shape make = choice_of("shape", shape_names, shape);
+  Mesh mesh;
+  {
+    const py::gil_scoped_release working;
+    mesh = make(triangles, random_seed);
+  }
+  auto [vertices, faces] = arrays_of(std::move(mesh));
+  return py::make_tuple(vertices, faces);
+}
+
+}  // namespace
+
+void bind_files(py::module_& module) {
+  module.def("read", &read, py::arg("path"));
+  module.def("write", &write, py::arg("path"), py::arg("vertices"), py::arg("faces"),
+             py::arg("of_vertices"), py::arg("of_triangles"));
+  module.def("generate", &generate, py::arg("shape"), py::arg("triangles"), py::arg("random_seed"));
+}
+
+}  // namespace geolloyd
