@@ -107,6 +107,7 @@ struct RelaxArguments {
   std::vector<RelaxOutput> only = values_of(relax_output_names);  ///< what goes there
   std::filesystem::path picture_file;                             ///< empty: none
   std::filesystem::path frames;                                   ///< a folder; empty: none
+  std::filesystem::path page_file;                                ///< empty: none
   bool ground_truth = false;
   double checkpoint_seconds = 60;  ///< between two of them
   bool resume = false;

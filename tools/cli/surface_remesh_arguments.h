@@ -55,6 +55,7 @@ struct SurfaceRemeshArguments {
   std::filesystem::path report_file;   ///< empty: none
   std::filesystem::path map_file;      ///< empty: none
   std::filesystem::path picture_file;  ///< empty: none
+  std::filesystem::path page_file;     ///< empty: none
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const {

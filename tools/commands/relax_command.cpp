@@ -25,6 +25,8 @@
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/progress.h"
+#include "tools/view/page.h"
+#include "tools/view/page_contents.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -223,6 +225,7 @@ std::string option_that_names_vertices(const StartArguments& start) {
 }
 
 void run_relax(const RelaxArguments& arguments) {
+  if (!arguments.page_file.empty()) check_viewer();
   check_seeds(arguments.start.seeds);
   check_repair(arguments.start.repair, option_that_names_vertices(arguments.start));
   if (!arguments.frames.empty() && arguments.relaxation.improvement.rounds > 0) {
@@ -270,9 +273,16 @@ void run_relax(const RelaxArguments& arguments) {
     progress.stage("drawing " + arguments.picture_file.string());
     write_picture(arguments.picture_file, arguments.picture, start, result.relaxation, scheduler);
   }
+  std::string page;
+  if (!arguments.page_file.empty()) {
+    progress.stage("writing " + arguments.page_file.string());
+    page = write_page(arguments.page_file,
+                      relax_contents(arguments, start, result, ended.course, scheduler));
+  }
   progress.clear();
   print_summary(arguments, start, result, cost);
   print_files(arguments, removed, result.relaxation.steps.size());
+  fmt::print("{}", page);
   if (is_resumable) fmt::print("  {:<12}the same command and --resume\n", "to go on");
   if (result.interrupted) throw InterruptedExit{};
 }
@@ -297,6 +307,10 @@ void add_relax_command(CLI::App& program) {
       ->type_name("FILE");
   folder_name(command->add_option("--frames", arguments->frames,
                                   "Folder for a picture of each step's start, NNN-PHASE.png"));
+  command
+      ->add_option("--page", arguments->page_file,
+                   "HTML file that shows the result and its course in a browser")
+      ->type_name("FILE");
   command->add_flag("--ground-truth", arguments->ground_truth,
                     "Compare the result with regions by Euclidean distance");
   time_in_seconds(

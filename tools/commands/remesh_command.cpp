@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
@@ -15,12 +16,15 @@
 #include "tools/system/machine.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
+#include "tools/view/page.h"
+#include "tools/view/page_contents.h"
 #include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
 
 void run_remesh(const SurfaceRemeshArguments& arguments) {
+  if (!arguments.page_file.empty()) check_viewer();
   check_surface_remesh(arguments);
   check_remesh_targets(arguments);
   const Stopwatch total;
@@ -48,8 +52,13 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
     progress.stage("drawing " + arguments.picture_file.string());
     write_remesh_picture(arguments, remesh.mesh, colours, scheduler);
   }
+  std::string page;
+  if (!arguments.page_file.empty()) {
+    progress.stage("writing " + arguments.page_file.string());
+    page = write_page(arguments.page_file, remesh_contents(arguments, done, scheduler));
+  }
   progress.clear();
-  fmt::print("{}", describe(arguments, done.loaded, result));
+  fmt::print("{}{}", describe(arguments, done.loaded, result), page);
   if (remesh.interrupted) throw InterruptedExit{};
 }
 
@@ -71,6 +80,10 @@ void add_remesh_command(CLI::App& program) {
                    "triangle, and the weights of its corners")
       ->type_name("FILE");
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
+      ->type_name("FILE");
+  command
+      ->add_option("--page", a->page_file,
+                   "HTML file that shows the mesh before and after in a browser")
       ->type_name("FILE");
   add_size_file_options(*command, a->sizing);
   add_adapt_options(*command, a->sizing);

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/properties.h"
+#include "core/remesh/tessellation.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
@@ -17,6 +20,9 @@
 #include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/view/layers.h"
+#include "tools/view/page.h"
+#include "tools/view/page_contents.h"
 
 namespace geolloyd {
 namespace {
@@ -31,6 +37,10 @@ struct RenderArguments {
   std::vector<std::string> panels;
   bool has_own_colours = true;
 };
+
+bool is_page(const std::filesystem::path& output) {
+  return output.extension() == ".html";
+}
 
 bool have_captions(const std::vector<Panel>& panels) {
   return std::any_of(panels.begin(), panels.end(),
@@ -67,6 +77,36 @@ class Renderer {
     picture.write(arguments_.output, images);
   }
 
+  /// What the panels name, with the regions and all that belongs to them.
+  void write_page() {
+    const auto shows = [&](PanelKind wanted) {
+      return any([&](PanelKind kind) { return kind == wanted; });
+    };
+    if (any(needs_partition)) {
+      find_partition();
+    } else {
+      read_mesh_alone();
+    }
+    Bundle bundle = bundle_of(start_.input);
+    if (any(needs_partition)) {
+      add_regions(bundle, start_.mesh_graph, found_.partition, start_.seeds);
+      add_region_figures(bundle, summarise_regions(start_.mesh_graph.graph, found_.partition,
+                                                   start_.seeds, found_.engine->region_scores()));
+      add_trees(bundle, start_.mesh_graph, found_.partition);
+    }
+    if (shows(PanelKind::field)) add_field(bundle, asked_field());
+    if (shows(PanelKind::ground_truth)) {
+      add_truth(bundle, start_.mesh_graph,
+                make_ground_truth(scheduler_, start_.input.mesh(), start_.mesh_graph,
+                                  found_.partition, start_.seeds));
+    }
+    if (shows(PanelKind::remesh)) add_remesh(bundle, dual().mesh);
+    progress_.stage("writing " + arguments_.output.string());
+    const std::string summary = geolloyd::write_page(arguments_.output, std::move(bundle));
+    progress_.clear();
+    fmt::print("{}", summary);
+  }
+
  private:
   template <class Predicate>
   [[nodiscard]] bool any(Predicate&& predicate) const {
@@ -101,16 +141,19 @@ class Renderer {
 
   Pixels draw(PanelKind kind, const Scene& scene) {
     if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
-    const GraphRemesh remesh =
-        make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
-                     *found_.engine, scheduler_, start_.surface ? &*start_.surface : nullptr},
-                    {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
+    const GraphRemesh remesh = dual();
     const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
     QuadPairs pairs;
     if (arguments_.remesh.quads) {
       pairs = pair_triangles(remesh.mesh, find_edges(remesh.mesh, scheduler_));
     }
     return to_pixels(other, paint_mesh(other, scheduler_, {}, pairs.is_inner), scheduler_);
+  }
+
+  GraphRemesh dual() {
+    return make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
+                        *found_.engine, scheduler_, start_.surface ? &*start_.surface : nullptr},
+                       {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {
@@ -169,7 +212,11 @@ std::vector<Panel> check(const RenderArguments& a) {
       throw InvalidInput("--panel: the caption '" + *panel.caption + "' is not in UTF-8");
     }
   }
-  arrange(panels.size(), have_captions(panels), a.picture.size, 1);
+  if (is_page(a.output)) {
+    check_viewer();
+  } else {
+    arrange(panels.size(), have_captions(panels), a.picture.size, 1);
+  }
   check_target(a.output, a.start.files());
   return panels;
 }
@@ -181,7 +228,12 @@ void add_render_command(CLI::App& program) {
       "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a remesh");
   const auto a = std::make_shared<RenderArguments>();
   add_mesh_argument(*command, a->start);
-  command->add_option("-o,--output", a->output, "PNG file")->type_name("FILE")->required();
+  command
+      ->add_option("-o,--output", a->output,
+                   "PNG file; or NAME.html, a page for a browser with all\n"
+                   "that the panels name")
+      ->type_name("FILE")
+      ->required();
   command
       ->add_option("--panel", a->panels,
                    "Content of a panel: surface|mesh|regions|trees|ground-truth|remesh|\n"
@@ -203,7 +255,12 @@ void add_render_command(CLI::App& program) {
   command->callback([a] {
     const std::vector<Panel> panels = check(*a);
     a->start.has_properties = a->has_own_colours && shows_colours(panels);
-    Renderer(*a, panels).render();
+    Renderer renderer(*a, panels);
+    if (is_page(a->output)) {
+      renderer.write_page();
+    } else {
+      renderer.render();
+    }
   });
 }
 

@@ -80,9 +80,13 @@ void prepare_output(const RelaxArguments& arguments) {
   prepare_folder(arguments.output, relax_names, others);
   check_target(checkpoint_path(arguments.output), others);
   if (!arguments.frames.empty()) prepare_frames(arguments);
-  if (arguments.picture_file.empty()) return;
   for (const char* name : relax_names) others.push_back(arguments.output / name);
   others.push_back(checkpoint_path(arguments.output));
+  if (!arguments.page_file.empty()) {
+    check_target(arguments.page_file, others);
+    others.push_back(arguments.page_file);
+  }
+  if (arguments.picture_file.empty()) return;
   check_target(arguments.picture_file, others);
   std::error_code error;
   if (!arguments.frames.empty() &&

@@ -285,7 +285,7 @@ std::string report_text(const SurfaceRemeshArguments& arguments, const LoadedInp
 void check_remesh_targets(const SurfaceRemeshArguments& a) {
   (void)format_to_write(a.output);
   std::vector<std::filesystem::path> others = a.inputs();
-  for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file}) {
+  for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file, a.page_file}) {
     if (file.empty()) continue;
     check_target(file, others);
     others.push_back(file);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -40,6 +41,9 @@ EndedRelaxation ResumableRelaxation::relax(Scheduler& scheduler, ProgressLine& p
   if (!arguments_.frames.empty()) {
     frames.emplace(*ended.engine, arguments_, start_, scheduler, state_.steps);
   }
+  const bool keeps_course = !arguments_.page_file.empty();
+  const std::size_t earlier_steps = state_.steps.size();
+  if (keeps_course) ended.course.push_back(state_.seeds);
   Engine& chosen = frames ? static_cast<Engine&>(*frames) : *ended.engine;
   ended.relaxation = geolloyd::relax(
       graph, chosen, state_, relaxation_options(arguments_.start.seeds, arguments_.relaxation),
@@ -47,9 +51,14 @@ EndedRelaxation ResumableRelaxation::relax(Scheduler& scheduler, ProgressLine& p
         progress.show(p, start_.seeds.size());
         return !interrupted();
       },
-      [&](const RelaxationState&) {
+      [&](const RelaxationState& state) {
+        if (keeps_course) ended.course.push_back(state.seeds);
         if (since_saved_.seconds() >= arguments_.checkpoint_seconds) save(progress);
       });
+  if (keeps_course) {  // after the last step there was none
+    ended.course.resize(
+        std::min(ended.course.size(), ended.relaxation.steps.size() - earlier_steps));
+  }
   ended.seconds = watch_.seconds();
   return ended;
 }

@@ -23,6 +23,8 @@ struct EarlierPart {
 struct EndedRelaxation {
   Relaxation relaxation;
   std::unique_ptr<Engine> engine;  ///< with the partition of the seeds as they are now
+  /// Seeds at the start of each step that this run took, the last ones; for a page, else none.
+  std::vector<std::vector<NodeId>> course;
   std::size_t threads = 0;
   double seconds = 0;
 };

@@ -85,14 +85,14 @@ Placement placement_of(const Mesh& mesh) {
   return {box.middle(), radius > 0 ? radius : 1};
 }
 
-void Bundle::add_places(std::string name, std::span<const Vec3> places) {
+void Bundle::add_places(std::string name, std::span<const Vec3> places, std::string per) {
   std::vector<float> values;
   values.reserve(3 * places.size());
   for (const Vec3& place : places) {
     const Vec3 p = placement(place);
     for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(p[c]));
   }
-  arrays.push_back({std::move(name), std::move(values), 3, "", false});
+  arrays.push_back({std::move(name), std::move(values), 3, std::move(per), false});
 }
 
 void Bundle::add_ids(std::string name, std::vector<std::uint32_t> ids, std::size_t count,

@@ -31,7 +31,8 @@ struct BundleArray {
                std::vector<std::uint8_t>>
       values;
   std::size_t components = 1;  ///< of an entry: divides the number of values
-  std::string per;             ///< "vertex" or "triangle", where entries belong to one of both
+  std::string per;             ///< "vertex", "triangle" or "both", one after the other: whose
+                               ///< entries they are; else empty
   bool is_quantised = false;   ///< 16 bits that stand for -1 to 1
 };
 
@@ -45,7 +46,7 @@ struct Bundle {
   Json frames = Json::array();  ///< the timeline: label, energy, and names of arrays
 
   /// Three floats for each place.
-  void add_places(std::string name, std::span<const Vec3> places);
+  void add_places(std::string name, std::span<const Vec3> places, std::string per = "");
   /// Ids below `count`, or no_id: 16 bits each where these suffice, and all ones stand for none.
   void add_ids(std::string name, std::vector<std::uint32_t> ids, std::size_t count,
                std::string per = "");

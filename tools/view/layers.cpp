@@ -11,17 +11,17 @@
 namespace geolloyd {
 namespace {
 
-// Of what regions are per: "" where vertices and triangles have them.
+// What has regions.
 std::string nodes_of(GraphKind kind) {
   if (!has_triangles(kind)) return "vertex";
-  return has_vertices(kind) ? "" : "triangle";
+  return has_vertices(kind) ? "both" : "triangle";
 }
 
-void add_triangles(Bundle& bundle, std::string name, const Mesh& mesh) {
+void add_triangles(Bundle& bundle, std::string name, const Mesh& mesh, std::string per = "") {
   std::vector<std::uint32_t> corners;
   corners.reserve(3 * mesh.triangle_count());
   for (const Triangle& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
-  bundle.arrays.push_back({std::move(name), std::move(corners), 3, "", false});
+  bundle.arrays.push_back({std::move(name), std::move(corners), 3, std::move(per), false});
 }
 
 void add_colours(Bundle& bundle, std::string name, std::span<const Colour> colours,
@@ -54,8 +54,8 @@ void add_region_array(Bundle& bundle, std::string name, const MeshGraph& mesh_gr
 }  // namespace
 
 void add_mesh(Bundle& bundle, const Mesh& mesh, const SurfaceColours& colours) {
-  bundle.add_places("positions", mesh.positions);
-  add_triangles(bundle, "triangles", mesh);
+  bundle.add_places("positions", mesh.positions, "vertex");
+  add_triangles(bundle, "triangles", mesh, "triangle");
   if (!colours.of_vertices.empty()) add_colours(bundle, "colours", colours.of_vertices, "vertex");
   if (!colours.of_triangles.empty()) {
     add_colours(bundle, "colours", colours.of_triangles, "triangle");

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "parallel/threads/scheduler.h"
+#include "tools/run/result.h"
+#include "tools/run/stages.h"
+#include "tools/run/surface_remesh_run.h"
+#include "tools/view/bundle.h"
+
+namespace geolloyd {
+
+/// A bundle with a mesh and, if it has any, its own colours.
+Bundle bundle_of(const Input& input);
+
+/// How many frames a timeline has at most: of a longer course every second, third ... step is
+/// shown.
+inline constexpr std::size_t most_frames = 48;
+
+/// What `relax` made: regions, trees, the field, the ground truth and the remesh, as far as there
+/// are any, and the frames of its course. `course`: the seeds at the start of each of the last
+/// steps.
+Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const Result& result,
+                      std::span<const std::vector<NodeId>> course, Scheduler& scheduler);
+
+/// The mesh before and after `remesh`.
+Bundle remesh_contents(const SurfaceRemeshArguments& arguments, const RemeshedInput& done,
+                       Scheduler& scheduler);
+
+}  // namespace geolloyd
