@@ -5,7 +5,7 @@ set -u
 cd "$1" || exit 1
 
 # tests/consumer is somebody else's project.
-mapfile -d '' files < <(find core parallel tools bench tests -path tests/consumer -prune -o \
+mapfile -d '' files < <(find core parallel tools bench tests \( -path tests/consumer -o -name node_modules \) -prune -o \
   \( -name '*.h' -o -name '*.cpp' \) -print0)
 awk '
 # A file includes only from its own room and from the rooms above it.
