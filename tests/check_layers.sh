@@ -33,6 +33,7 @@ function rules() {
          "^parallel/threads$")
   forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
   forbid("", "knows Cairo", "<cairo", "^tools/render$")
+  forbid("", "knows Boost", "<boost/", "^tools/view$")
   forbid("", "knows CLI11", "<CLI/", "^tools/(cli|commands)$")
   forbid("/include/", "is public, but includes what is not", "#include \"(core|parallel|tools)/", "")
   forbid("^bench/", "needs the tools", "#include \"tools/", "")

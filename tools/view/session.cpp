@@ -205,6 +205,7 @@ void Session::fail(const std::exception& error) {
 
 void Session::publish() {
   since_published_ = Stopwatch();
+  is_busy_ = is_running_ || !task_.is_null();
   std::string text;
   try {
     text = dumped(model_.state(task_, is_running_));

@@ -41,6 +41,8 @@ class Session {
   void bundle(std::string_view name, AnswerCallback done);
   /// As JSON, the latest.
   [[nodiscard]] std::string state() const;
+  /// It computes.
+  [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
   struct Job {
@@ -73,6 +75,7 @@ class Session {
   std::string state_;
 
   std::atomic<bool> is_ending_ = false;
+  std::atomic<bool> is_busy_ = false;
   std::atomic<int> commands_waiting_ = 0;
 
   // Of the thread alone.

@@ -34,6 +34,14 @@ std::uint32_t count_steps_in(const std::vector<Step>& steps, Phase phase) {
       steps.begin(), steps.end(), [phase](const Step& step) { return step.phase == phase; }));
 }
 
+// Regions that can be told apart, of nodes enough to move in.
+std::size_t usual_seed_count(const Graph& graph, const Components& components) {
+  constexpr std::size_t most = 256;
+  constexpr std::size_t nodes_for_each = 20;
+  return std::max(
+      {std::size_t{1}, components.size(), std::min(most, graph.node_count() / nodes_for_each)});
+}
+
 // In each component.
 bool has_seeds(const Components& components, const std::vector<NodeId>& seeds) {
   std::vector<bool> has_seed(components.size(), false);
@@ -101,7 +109,7 @@ std::vector<NodeId> SteppedTessellation::choose(const SessionOptions& options, c
 }
 
 // Edited seeds stay where the choice of seeds does.
-void SteppedTessellation::rebuild(const SessionOptions& options, bool chooses_anew) {
+void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   const Mesh& mesh = start_.input.mesh();
   const bool is_new = !engine_ || !same_graph(options.graph, options_.graph);
   const SeedArguments& seeds = options.seeds;
@@ -119,6 +127,10 @@ void SteppedTessellation::rebuild(const SessionOptions& options, bool chooses_an
         mesh, edges_,
         {options.graph.kind, options.graph.norm, made->field, options.graph.averaging}, scheduler_);
     made->components = connected_components(made->mesh_graph.graph);
+  }
+  if (options.seeds.count == 0) {
+    const MeshGraph& mesh_graph = made ? made->mesh_graph : start_.mesh_graph;
+    options.seeds.count = usual_seed_count(mesh_graph.graph, made ? made->components : components_);
   }
   std::optional<std::vector<NodeId>> edited;
   if (has_edited_seeds_ && !chooses_anew && same_choice(seeds, options_.seeds)) {

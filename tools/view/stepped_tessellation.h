@@ -26,7 +26,8 @@ enum class StepKind {
 /// throws InvalidInput leaves all as it was. Not for two threads at once.
 class SteppedTessellation {
  public:
-  /// Builds the graph and chooses the seeds. `scheduler` must live on.
+  /// Builds the graph and chooses the seeds: 256 where no number is given, or fewer on few nodes.
+  /// `scheduler` must live on.
   SteppedTessellation(LoadedInput loaded, const SessionOptions& options, Scheduler& scheduler);
 
   // What changes the first seeds begins their relaxation anew.
@@ -84,7 +85,7 @@ class SteppedTessellation {
     std::size_t microsteps = 0;
   };
 
-  void rebuild(const SessionOptions& options, bool chooses_anew);
+  void rebuild(SessionOptions options, bool chooses_anew);
   std::vector<NodeId> choose(const SessionOptions& options, const Made* made);
   void begin(std::vector<NodeId> first_seeds, bool are_edited);
   NodeId free_node(InputId id) const;
