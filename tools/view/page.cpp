@@ -67,9 +67,12 @@ std::string shrink(Bundle& bundle, std::size_t most_bytes) {
     bundle = whole;
     simplify(bundle, std::max<std::size_t>(vertices, 1));
     quantise_places(bundle);
-    add_note(bundle, fmt::format("The mesh is simplified from {} to {} triangles. Regions and "
-                                 "figures are those of the whole mesh; trees are left out.",
-                                 grouped(triangles), grouped(entries_of(bundle, "triangles"))));
+    add_note(bundle, fmt::format("The mesh is simplified from {} to {} triangles.{}",
+                                 grouped(triangles), grouped(entries_of(bundle, "triangles")),
+                                 entries_of(bundle, "region") > 0
+                                     ? " Regions and figures are those of the whole mesh; trees "
+                                       "are left out."
+                                     : ""));
     bytes = encode(bundle);
     if (vertices <= 1) break;
   }

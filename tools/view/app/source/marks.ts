@@ -54,19 +54,24 @@ export class Balls {
   }
 }
 
+// Two places a line, and a colour for each place.
+export interface ColouredLines { places: Float32Array; colours: Float32Array }
+
 export class Lines {
   private object: THREE.LineSegments | null = null;
 
   constructor(private readonly scene: THREE.Scene) {}
 
-  // Two places a line, and a colour for each place, or one for all.
-  set(places: Float32Array, colour: number | Float32Array): void {
+  set({ places, colours }: ColouredLines): void {
     this.remove();
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
-    const varies = typeof colour !== "number";
-    if (varies) geometry.setAttribute("color", new THREE.BufferAttribute(colour, 3));
-    const material = new THREE.LineBasicMaterial(varies ? { vertexColors: true } : { color: colour });
+    geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+    const material = new THREE.LineBasicMaterial({ vertexColors: true });
+    // A little nearer than they are: where the surface curves they would be hidden in it.
+    material.onBeforeCompile = (shader) => {
+      shader.vertexShader = shader.vertexShader.replace(/}\s*$/, "gl_Position.z -= 0.004 * gl_Position.w;}");
+    };
     this.object = new THREE.LineSegments(geometry, material);
     this.object.frustumCulled = false;
     this.scene.add(this.object);
@@ -97,32 +102,56 @@ export function nodePlaces(positions: Float32Array, triangles: Uint32Array, per:
   };
 }
 
-export function treeLines(parent: Uint32Array, placeOf: (node: number) => [number, number, number]): Float32Array {
-  let count = 0;
-  for (const p of parent) if (p !== none) ++count;
-  const lines = new Float32Array(6 * count);
-  let at = 0;
-  parent.forEach((p, node) => {
-    if (p === none) return;
-    lines.set(placeOf(node), at);
-    lines.set(placeOf(p), at + 3);
-    at += 6;
+// How many nodes are reached by way of each, with itself.
+function subtreeSizes(parent: Uint32Array): Uint32Array {
+  const waiting = new Uint32Array(parent.length);  // children that are not done
+  for (const p of parent) if (p !== none) ++waiting[p];
+  const sizes = new Uint32Array(parent.length).fill(1);
+  const done: number[] = [];
+  waiting.forEach((count, node) => {
+    if (count === 0) done.push(node);
   });
-  return lines;
+  for (let node = done.pop(); node !== undefined; node = done.pop()) {
+    const p = parent[node];
+    if (p === none) continue;
+    sizes[p] += sizes[node];
+    if (--waiting[p] === 0) done.push(p);
+  }
+  return sizes;
 }
 
-// Crosses at some vertices, evenly spread over their numbers: the larger direction blue, the other orange.
-export function fieldLines(field: Float32Array, positions: Float32Array): { places: Float32Array; colours: Float32Array } {
-  const most = 6000;
-  const step = Math.max(1, Math.floor(field.length / 6 / most));
-  const length = 0.5 / Math.sqrt(Math.min(most, field.length / 6));
+const mostTreeLines = 12_000;
+
+// Each node joined to its parent, darker the more nodes are reached by it. Of large meshes the finest are left out.
+export function treeLines(parent: Uint32Array, placeOf: (node: number) => [number, number, number]): ColouredLines {
+  const sizes = subtreeSizes(parent);
+  const least = Math.max(1, parent.length / mostTreeLines);
+  const places: number[] = [], colours: number[] = [];
+  parent.forEach((p, node) => {
+    if (p === none || sizes[node] < least) return;
+    places.push(...placeOf(node), ...placeOf(p));
+    const shade = 0.45 * Math.max(0, 1 - Math.log2(sizes[node] / least) / 6);
+    colours.push(shade, shade, shade, shade, shade, shade);
+  });
+  return { places: Float32Array.from(places), colours: Float32Array.from(colours) };
+}
+
+const mostCrosses = 3000;
+
+// Crosses at some vertices, evenly spread over their numbers: the larger direction blue, the other orange. The larger
+// one has the same length everywhere, so that the ratio is seen where magnitudes are small, too.
+export function fieldLines(field: Float32Array, positions: Float32Array, area: number): ColouredLines {
+  const count = field.length / 6;
+  const step = Math.max(1, Math.floor(count / mostCrosses));
+  const length = 0.45 * Math.sqrt((area * step) / Math.max(count, 1));
   const places: number[] = [], colours: number[] = [];
   const blue = [0.12, 0.35, 0.67], orange = [0.86, 0.41, 0.06];
-  for (let v = 0; v < field.length / 6; v += step) {
+  for (let v = 0; v < count; v += step) {
     const size = [0, 3].map((k) => Math.hypot(field[6 * v + k], field[6 * v + k + 1], field[6 * v + k + 2]));
+    const scale = length / (Math.max(...size) || 1);
     [0, 3].forEach((k, i) => {
       for (const sign of [-1, 1]) {
-        for (let c = 0; c < 3; ++c) places.push(positions[3 * v + c] + sign * length * field[6 * v + k + c]);
+        for (let c = 0; c < 3; ++c) places.push(positions[3 * v + c] + sign * scale * field[6 * v + k + c]);
         colours.push(...((i === 0) === (size[0] >= size[1]) ? blue : orange));
       }
     });

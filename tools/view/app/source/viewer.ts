@@ -44,7 +44,7 @@ export class Viewer extends EventTarget {
     this.area = areaOf(this.mesh.positions, this.mesh.triangles);
     this.stage = new Stage(canvas, this.mesh.positions);
     this.stage.scene.add(this.mesh.mesh);
-    this.seeds = new Balls(this.stage.scene, 0x111114, 0.13);
+    this.seeds = new Balls(this.stage.scene, 0x111114, 0.11);
     this.centroids = new Balls(this.stage.scene, 0xffffff, 0.11);
     this.sites = new Balls(this.stage.scene, 0x1f5aaa, 0.2);
     this.trees = new Lines(this.stage.scene);
@@ -70,12 +70,11 @@ export class Viewer extends EventTarget {
     if (bundle.has("region")) this.addRegions(bundle);
     if (bundle.has("parent")) {
       const placeOf = nodePlaces(this.mesh.positions, this.mesh.triangles, bundle.per("parent"));
-      this.trees.set(treeLines(bundle.ids("parent"), placeOf), 0x111114);
+      this.trees.set(treeLines(bundle.ids("parent"), placeOf));
       this.have.add("trees");
     }
     if (bundle.has("field")) {
-      const { places, colours } = fieldLines(bundle.places("field"), this.mesh.positions);
-      this.field.set(places, colours);
+      this.field.set(fieldLines(bundle.places("field"), this.mesh.positions, this.area));
       this.have.add("field");
     }
     if (bundle.has("truth_region")) {
@@ -170,7 +169,7 @@ export class Viewer extends EventTarget {
     const shownRegion = isTruth ? this.truthRegion : this.region;
     if (shownRegion && shownRegion !== this.lastRegion) this.mesh.setRegions(shownRegion, this.per);
     this.lastRegion = shownRegion;
-    this.mesh.setLook({ colouring: look.colouring === "truth" ? "regions" : look.colouring, edges: look.edges, pale: look.trees && this.has("trees"), picked: look.picked });
+    this.mesh.setLook({ colouring: look.colouring === "truth" ? "regions" : look.colouring, edges: look.edges, pale: (look.trees && this.has("trees")) || (look.field && this.has("field")), picked: look.picked });
     this.mesh.mesh.visible = isMesh;
     for (const [shown, remesh] of this.remeshes) {
       remesh.mesh.visible = !isMesh && shown === look.shown;
