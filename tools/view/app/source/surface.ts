@@ -69,7 +69,8 @@ void main() {
     uint region = vRegions[nearest()];
     base = region == 0xffffffffu ? vec3(0.5) : texelFetch(uPalette, place_of(region), 0).rgb;
     if (uPale) base = mix(base, vec3(1.0), 0.55);
-    if (region == uPicked) base = mix(base, vec3(1.0), 0.6 + 0.25 * step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0)));
+    // Stripes, dark and light: they differ from any colour.
+    if (region == uPicked) base = mix(base, vec3(step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 10.0))), 0.6);
   }
   vec3 face = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
   vec3 normal = normalize(vNormal);
