@@ -7,7 +7,7 @@
 
 namespace geolloyd {
 
-enum class MeshFormat { ply, obj, off, stl };
+enum class MeshFormat { ply, obj, off, stl, glb, gltf };
 
 /// What a format is called, and what is done with it.
 struct MeshFormatFacts {
@@ -19,11 +19,13 @@ struct MeshFormatFacts {
 };
 
 /// All of them, in the order of the enumeration.
-inline constexpr std::array<MeshFormatFacts, 4> mesh_formats{{
+inline constexpr std::array<MeshFormatFacts, 6> mesh_formats{{
     {MeshFormat::ply, "PLY", ".ply"},
     {MeshFormat::obj, "OBJ", ".obj"},
     {MeshFormat::off, "OFF", ".off"},
     {MeshFormat::stl, "STL", ".stl"},
+    {MeshFormat::glb, "GLB", ".glb"},
+    {MeshFormat::gltf, "glTF", ".gltf"},
 }};
 
 const MeshFormatFacts& facts_of(MeshFormat format);

@@ -10,7 +10,7 @@ namespace geolloyd {
 namespace {
 
 ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name,
-                    const ReadOptions& options) {
+                    const ReadOptions& options, const std::filesystem::path* folder) {
   switch (format) {
     case MeshFormat::ply:
       return read_ply(bytes, name, options);
@@ -19,9 +19,12 @@ ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view 
     case MeshFormat::off:
       return read_off(bytes, name, options);
     case MeshFormat::stl:
+      return read_stl(bytes, name);
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
       break;
   }
-  return read_stl(bytes, name);
+  return read_gltf(bytes, name, options, folder);
 }
 
 void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {
@@ -48,16 +51,18 @@ void check_extent(const Mesh& mesh, std::string_view name) {
 LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   const MeshFormat format = format_to_read(path);
   const std::string name = path.string();
-  return parse_mesh(format, unpack(read_file(path), name, options.most_bytes), name, options);
+  const std::filesystem::path folder = path.parent_path();
+  return parse_mesh(format, unpack(read_file(path), name, options.most_bytes), name, options,
+                    &folder);
 }
 
 LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
-                      const ReadOptions& options) {
+                      const ReadOptions& options, const std::filesystem::path* folder) {
   if (bytes.empty()) fail_at_byte(name, 0, "the file is empty");
   if (compression_of(bytes) != Compression::none) {
     fail_at_byte(name, 0, "the file is compressed more than once; unpack it first");
   }
-  ParsedMesh loaded = parse_as(format, bytes, name, options);
+  ParsedMesh loaded = parse_as(format, bytes, name, options, folder);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
   triangulate_concave(loaded.mesh, loaded.fans);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,9 +27,11 @@ struct ParsedMesh : LoadedMesh {
   std::vector<PolygonFan> fans;  ///< of the faces of four and more corners
 };
 
-/// What read_mesh makes of a file that holds `bytes`; `name` opens every message.
+/// What read_mesh makes of a file that holds `bytes`; `name` opens every message. `folder` is where
+/// the file lies, for glTF with buffers beside it; null: there are none.
 LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
-                      const ReadOptions& options = {});
+                      const ReadOptions& options = {},
+                      const std::filesystem::path* folder = nullptr);
 
 /// One reader per format: `bytes` is the whole file, `name` opens every message. Coordinates of the
 /// result are usable and its indices in range; it may still be empty. Properties of triangles have
@@ -37,6 +40,8 @@ ParsedMesh read_ply(std::string_view bytes, std::string_view name, const ReadOpt
 ParsedMesh read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_off(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_stl(std::string_view bytes, std::string_view name);
+ParsedMesh read_gltf(std::string_view bytes, std::string_view name, const ReadOptions& options,
+                     const std::filesystem::path* folder);
 
 /// Throws InvalidInput "NAME: byte OFFSET: MESSAGE".
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t offset,

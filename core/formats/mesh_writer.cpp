@@ -5,64 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/formats/held_properties.h"
 #include "core/formats/mesh_writers.h"
 #include "core/mesh/properties.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
-
-// Numbers that text formats write in a row.
-using Numbers = std::vector<const Property*>;
-
-Numbers numbers_of(std::span<const Property> properties, const std::vector<const char*>& names) {
-  Numbers numbers;
-  for (const char* name : names) {
-    const Property* property = find_property(properties, name);
-    if (property == nullptr) return {};
-    numbers.push_back(property);
-  }
-  return numbers;
-}
-
-// What OBJ and OFF can hold.
-struct TextProperties {
-  Numbers colours;  // of vertices
-  Numbers normals;  // of vertices
-  Numbers texture;  // of vertices
-  Numbers triangle_colours;
-
-  TextProperties(MeshFormat format, const Properties& properties) {
-    if (format != MeshFormat::obj && format != MeshFormat::off) return;
-    const std::span<const Property> vertices = properties.of_vertices;
-    colours = colours_of(vertices, format);
-    normals = numbers_of(vertices, {"nx", "ny", "nz"});
-    for (const auto& names : {std::vector{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}) {
-      if (texture.empty()) texture = numbers_of(vertices, names);
-    }
-    if (format == MeshFormat::off) triangle_colours = colours_of(properties.of_triangles, format);
-  }
-
-  [[nodiscard]] bool hold(const Property& property) const {
-    const std::array<const Numbers*, 4> lists = all();
-    return std::any_of(lists.begin(), lists.end(), [&](const Numbers* numbers) {
-      return std::find(numbers->begin(), numbers->end(), &property) != numbers->end();
-    });
-  }
-
- private:
-  // OBJ knows no alpha.
-  static Numbers colours_of(std::span<const Property> properties, MeshFormat format) {
-    Numbers colours = numbers_of(properties, {"red", "green", "blue"});
-    const Property* alpha = find_property(properties, "alpha");
-    if (!colours.empty() && alpha != nullptr && format == MeshFormat::off) colours.push_back(alpha);
-    return colours;
-  }
-
-  [[nodiscard]] std::array<const Numbers*, 4> all() const {
-    return {&colours, &normals, &texture, &triangle_colours};
-  }
-};
 
 void write_values(FileWriter& out, const Numbers& numbers, std::size_t row) {
   for (const Property* property : numbers) {
@@ -81,10 +30,7 @@ void write_intensities(FileWriter& out, const Numbers& numbers, std::size_t row)
 
 // Bytes as whole numbers; the reader tells them from shares.
 void write_off_colour(FileWriter& out, const Numbers& numbers, std::size_t row) {
-  const bool are_bytes = std::all_of(numbers.begin(), numbers.end(), [](const Property* p) {
-    return std::holds_alternative<std::vector<std::uint8_t>>(p->values);
-  });
-  if (are_bytes) return write_values(out, numbers, row);
+  if (are_bytes(numbers)) return write_values(out, numbers, row);
   write_intensities(out, numbers, row);
 }
 
@@ -107,7 +53,7 @@ void write_rows(FileWriter& out, std::string_view keyword, const Numbers& number
 }
 
 // A vertex is its own texture coordinate and normal.
-void write_obj(FileWriter& out, const Mesh& mesh, const TextProperties& properties) {
+void write_obj(FileWriter& out, const Mesh& mesh, const HeldProperties& properties) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     out.text("v ");
     write_position(out, mesh.positions[v]);
@@ -133,7 +79,7 @@ void write_obj(FileWriter& out, const Mesh& mesh, const TextProperties& properti
   }
 }
 
-void write_off(FileWriter& out, const Mesh& mesh, const TextProperties& properties) {
+void write_off(FileWriter& out, const Mesh& mesh, const HeldProperties& properties) {
   if (!properties.texture.empty()) out.text("ST");
   if (!properties.colours.empty()) out.text("C");
   if (!properties.normals.empty()) out.text("N");
@@ -161,11 +107,7 @@ void write_off(FileWriter& out, const Mesh& mesh, const TextProperties& properti
 }
 
 void write_stl(FileWriter& out, const Mesh& mesh) {
-  for (const Vec3& p : mesh.positions) {
-    if (p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) continue;
-    throw InvalidInput(out.path().string() +
-                       ": a coordinate is too large for STL; write PLY, OBJ or OFF");
-  }
+  check_float_range(out, mesh, "STL");
   // Must not begin with "solid", the first word of an ascii STL.
   std::string title = "binary STL written by geolloyd";
   title.resize(80, ' ');
@@ -181,10 +123,18 @@ void write_stl(FileWriter& out, const Mesh& mesh) {
 
 }  // namespace
 
+void check_float_range(const FileWriter& out, const Mesh& mesh, const char* format) {
+  for (const Vec3& p : mesh.positions) {
+    if (p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()) continue;
+    throw InvalidInput(out.path().string() + ": a coordinate is too large for " + format +
+                       "; write PLY, OBJ or OFF");
+  }
+}
+
 void keep_writable(const std::filesystem::path& path, Properties& properties) {
   const MeshFormat format = format_to_write(path);
   if (format == MeshFormat::ply) return;
-  const TextProperties held(format, properties);
+  const HeldProperties held(format, properties);
   const auto keep = [&](const std::vector<Property>& all, const char* what) {
     std::vector<Property> kept;
     std::vector<Property> lost;
@@ -214,6 +164,9 @@ void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties)
       return write_off(out, mesh, {format, properties});
     case MeshFormat::stl:
       return write_stl(out, mesh);
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
+      return write_gltf(out, mesh, {format, properties}, format == MeshFormat::glb);
   }
 }
 

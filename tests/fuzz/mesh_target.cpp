@@ -78,10 +78,13 @@ void require_sound(const LoadedMesh& loaded, std::size_t file_size) {
 }  // namespace
 
 int try_mesh_file(MeshFormat format, const std::uint8_t* data, std::size_t size) {
-  const auto loaded =
-      if_accepted([&] { return parse_mesh(format, text_of(data, size), input_name); });
-  const auto whole =
-      if_accepted([&] { return parse_mesh(format, text_of(data, size), input_name, {true}); });
+  // Beyond that a file makes more of itself only by having meshes in many places.
+  const std::uint64_t most_bytes = 14 * size;
+  const auto parse = [&](bool properties) {
+    return parse_mesh(format, text_of(data, size), input_name, {properties, most_bytes});
+  };
+  const auto whole = if_accepted([&] { return parse(true); });
+  const auto loaded = if_accepted([&] { return parse(false); });
   require(!whole || loaded, "a file is no worse if nobody asks for properties");
   if (whole) require_sound(*whole, size);
   if (!loaded) return 0;

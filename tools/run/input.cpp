@@ -1,7 +1,6 @@
 #include "tools/run/input.h"
 
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -31,22 +30,32 @@ MeshFormat format_of_input(const std::filesystem::path& file) {
   return format_to_read(file);
 }
 
-bool is_readable_without_properties(MeshFormat format, std::string_view bytes,
-                                    std::string_view name) {
+// The bytes of a mesh file, and what is known of it.
+struct MeshBytes {
+  MeshFormat format;
+  std::string bytes;
+  std::string name;                     // for messages
+  const std::filesystem::path* folder;  // null: unknown
+
+  [[nodiscard]] LoadedMesh parse(const ReadOptions& options) const {
+    return parse_mesh(format, bytes, name, options, folder);
+  }
+};
+
+bool is_readable_without_properties(const MeshBytes& file, const ReadOptions& options) {
   try {
-    (void)parse_mesh(format, bytes, name);
+    (void)file.parse({false, options.most_bytes});
     return true;
   } catch (const Error&) {
     return false;
   }
 }
 
-LoadedMesh parse(MeshFormat format, std::string_view bytes, std::string_view name,
-                 const ReadOptions& options) {
+LoadedMesh parse(const MeshBytes& file, const ReadOptions& options) {
   try {
-    return parse_mesh(format, bytes, name, options);
+    return file.parse(options);
   } catch (const InvalidInput& error) {
-    if (!options.properties || !is_readable_without_properties(format, bytes, name)) throw;
+    if (!options.properties || !is_readable_without_properties(file, options)) throw;
     throw InvalidInput(std::string(error.what()) + "; --drop does without properties");
   }
 }
@@ -62,7 +71,9 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptio
   if (!unknown && is_file) require_memory(name, memory_to_read(file_size));
   std::string bytes = is_file ? read_file(file) : read_standard_input(name);
   bytes = unpack(std::move(bytes), name, allowed_memory());
-  LoadedMesh loaded = parse(format, bytes, name, options);
+  const std::filesystem::path folder = file.parent_path();
+  LoadedMesh loaded = parse({format, std::move(bytes), name, is_file ? &folder : nullptr},
+                            {options.properties, allowed_memory()});
   require_memory(name, memory_to_check(loaded.mesh.vertex_count(), loaded.mesh.triangle_count(),
                                        bytes_of(loaded.properties)));
   return loaded;
