@@ -139,6 +139,8 @@ void run(int argc, char** argv) {
     geolloyd::add_memory_option(*command);
     if (command->get_name() != "generate") geolloyd::add_format_option(*command);
   }
+  geolloyd::add_completion_command(program);
+  geolloyd::add_man_command(program);
   refuse_empty_values(program);
   try {
     program.parse(argc, argv);
