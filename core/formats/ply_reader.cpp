@@ -34,7 +34,8 @@ void read_vertices(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
 
 template <class Index>
 constexpr std::int64_t restart_of() {
-  return std::is_unsigned_v<Index> ? std::int64_t{std::numeric_limits<Index>::max()} : -1;
+  if constexpr (std::is_signed_v<Index>) return -1;
+  return std::numeric_limits<Index>::max();
 }
 
 template <class Count, class Index>
