@@ -32,9 +32,9 @@ struct Request {
   SurfaceField field = SurfaceField::given;
   std::size_t threads = 0;
 
-  Request(const NumberArray& vertices, const IdArray& faces, const py::dict& given) {
+  Request(const NumberArray& vertices, const IdArray& faces, const py::dict& given)
+      : mesh(mesh_of(vertices, faces)) {
     const auto text = [&](const char* name) { return given[name].cast<std::string>(); };
-    mesh = mesh_of(vertices, faces);
     options.seed_count = given["count"].cast<std::size_t>();
     options.first_seeds = ids_of("seeds", given["seeds"].cast<std::optional<IdArray>>());
     options.init = choice_of("init", seed_init_names, text("init"));

@@ -27,7 +27,7 @@ AnswerCallback as_response(HttpSite::Done done, const char* type) {
 
 }  // namespace
 
-HttpSite::HttpSite(HttpGuard guard, HttpAssets assets, Session& session)
+HttpSite::HttpSite(HttpGuard guard, const HttpAssets& assets, Session& session)
     : guard_(std::move(guard)), assets_(assets), session_(session) {}
 
 bool HttpSite::answer(const HttpRequest& request, Done done) {

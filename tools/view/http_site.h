@@ -23,7 +23,7 @@ class HttpSite {
   using Done = std::function<void(HttpResponse)>;
 
   /// `session` must live on.
-  HttpSite(HttpGuard guard, HttpAssets assets, Session& session);
+  HttpSite(HttpGuard guard, const HttpAssets& assets, Session& session);
 
   /// Calls `done` once, from any thread. Returns whether the request passed the guard and had the
   /// token.
