@@ -22,8 +22,10 @@ export class SessionControls {
   private readonly result = make("div");
 
   constructor(private readonly viewer: Viewer, private readonly send: (command: Command) => void) {
-    this.section.hidden = false;
-    this.section.append(this.startPart(), this.seedPart(), this.relaxationPart(), this.resultPart(), this.result);
+    const run = byId("run");
+    run.hidden = this.section.hidden = false;
+    run.append(...this.relaxationPart());
+    this.section.append(this.startPart(), this.seedPart(), this.resultPart(), this.result);
   }
 
   show(state: State): void {
@@ -46,7 +48,7 @@ export class SessionControls {
   }
 
   disable(): void {
-    for (const control of this.section.querySelectorAll<HTMLButtonElement>("button, input, select")) control.disabled = true;
+    for (const control of [...this.idle, ...this.busy, ...this.saves]) control.disabled = true;
   }
 
   private startPart(): HTMLElement {
@@ -75,7 +77,7 @@ export class SessionControls {
     part.append(choices<ClickAction>("A click", "click", [["pick", "picks"], ["add", "adds a seed"], ["remove", "removes a seed"]], "pick", (action) => {
       this.clickAction = action;
     }));
-    part.append(make("p", { class: "note" }, "Drag a seed to move it. Without a pointer:"), labelled("Vertex or triangle", this.nodeId));
+    part.append(make("p", { class: "note" }, "Drag a seed to move it."));
     const add = this.press("Add seed there", () => {
       if (this.nodeId.value !== "") this.send({ do: "add_seed", id: this.nodeId.valueAsNumber });
     });
@@ -87,18 +89,18 @@ export class SessionControls {
       const region = this.viewer.look.picked;
       if (region !== null) this.send({ do: "remove_seed", region });
     });
-    part.append(this.row(add, move, remove));
+    part.append(make("details", {}, make("summary", {}, "Without a pointer"), labelled("Vertex or triangle", this.nodeId), this.row(add, move, remove)));
     return part;
   }
 
-  private relaxationPart(): HTMLElement {
+  private relaxationPart(): HTMLElement[] {
     const run = this.command("Run", "run", "Relax until no seed moves");
     run.classList.add("main");
     const pause = button("Pause", () => this.send({ do: "pause" }), "Stop after this step");
     this.busy.push(pause);
-    return make("div", {}, make("h2", {}, "Relaxation"),
+    return [make("h2", {}, "Relaxation"),
       this.row(run, pause, this.command("Reset", "reset", "Back to the first seeds")),
-      this.row(this.command("Greedy step", "greedy_step"), this.command("Macrostep", "macrostep"), this.command("Microstep", "microstep")));
+      this.row(this.command("Greedy step", "greedy_step"), this.command("Macrostep", "macrostep"), this.command("Microstep", "microstep"))];
   }
 
   private resultPart(): HTMLElement {

@@ -9,6 +9,8 @@ import { plotEnergy } from "./plot";
 import { followPointer } from "./pointer";
 import { Viewer } from "./viewer";
 
+// Commands whose work is seen on the mesh, not on its dual or remesh.
+const changesMesh = new Set(["set", "add_seed", "remove_seed", "move_seed", "choose_seeds", "greedy_step", "microstep", "macrostep", "run", "reset", "truth", "remesh"]);
 const retries = 5;
 const retryAfter = 1000;  // milliseconds
 
@@ -60,6 +62,7 @@ class Session {
   }
 
   async take(state: State): Promise<void> {
+    const earlier = this.state;
     this.state = state;
     const { mesh } = state;
     byId("title").textContent = mesh.name;
@@ -70,6 +73,7 @@ class Session {
     if (state.message?.kind === "error") say(state.message.text, true);
     else say(state.task?.text ?? state.message?.text ?? "");
     const offered = Object.keys(state.layers);
+    if (earlier) this.showNew(offered.filter((layer) => state.layers[layer] > (earlier.layers[layer] ?? -1)));
     if (offered.join() !== [...this.viewer.offered].join()) {
       this.viewer.offered = new Set(offered);
       for (const layer of this.revisions.keys()) {
@@ -109,6 +113,14 @@ class Session {
     return Object.keys(layers).find((name) => shown[name] && layers[name] > (this.revisions.get(name) ?? -1));
   }
 
+  // What has just been made is what its maker wants to see.
+  private showNew(layers: string[]): void {
+    const { look } = this.viewer;
+    if (layers.includes("truth")) look.colouring = "truth";
+    for (const shown of ["dual", "remesh"] as const) if (layers.includes(shown)) look.shown = shown;
+    if (layers.some((layer) => layer in { truth: 0, dual: 0, remesh: 0 })) this.viewer.dispatchEvent(new Event("layers"));
+  }
+
   private click(hit: { node: number; region: number | null } | null): void {
     const action = this.controls.clickAction;
     if (action === "add") {
@@ -121,6 +133,10 @@ class Session {
   }
 
   private send(command: Command): void {
+    if (changesMesh.has(command.do) && this.viewer.look.shown !== "mesh") {
+      this.viewer.set({ shown: "mesh" });
+      this.viewer.dispatchEvent(new Event("layers"));
+    }
     this.api.command(command).catch((error: Error) => {
       say(error.message, true);
       // What was changed here only, such as a seed under the pointer, goes back.

@@ -47,7 +47,8 @@ export class Stage {
     this.radius = radiusOf(positions);
     this.camera.up.copy(up);  // before there are controls, which keep it
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;  // colours are drawn as they are
+    THREE.ColorManagement.enabled = false;  // colours are drawn as they are
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.request());

@@ -169,17 +169,19 @@ export class Viewer extends EventTarget {
     const shownRegion = isTruth ? this.truthRegion : this.region;
     if (shownRegion && shownRegion !== this.lastRegion) this.mesh.setRegions(shownRegion, this.per);
     this.lastRegion = shownRegion;
-    this.mesh.setLook({ colouring: look.colouring === "truth" ? "regions" : look.colouring, edges: look.edges, pale: (look.trees && this.has("trees")) || (look.field && this.has("field")), picked: look.picked });
+    const isRemeshing = this.has("sites");
+    const colouring = isRemeshing ? "plain" : isTruth ? "regions" : look.colouring;
+    this.mesh.setLook({ colouring: colouring as Colouring, edges: look.edges, pale: (look.trees && this.has("trees")) || (look.field && this.has("field")), picked: look.picked });
     this.mesh.mesh.visible = isMesh;
     for (const [shown, remesh] of this.remeshes) {
       remesh.mesh.visible = !isMesh && shown === look.shown;
       remesh.setLook({ colouring: "plain", edges: true, pale: false, picked: null });
     }
-    this.seeds.show(isMesh && look.seeds);
+    this.seeds.show(isMesh && look.seeds && !isRemeshing);
     this.trees.show(isMesh && look.trees);
     this.field.show(isMesh && look.field);
-    this.centroids.show(isMesh && isTruth && look.centroids);
-    this.sites.show(isMesh && this.has("sites"));
+    this.centroids.show(isMesh && isTruth && look.centroids && !isRemeshing);
+    this.sites.show(isMesh && isRemeshing);
     this.stage.request();
   }
 }
