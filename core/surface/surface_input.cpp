@@ -14,18 +14,6 @@
 namespace geolloyd {
 namespace {
 
-SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
-  const BoundingBox box = bounding_box(
-      3 * mesh.triangle_count(),
-      [&](std::size_t c) { return mesh.positions[mesh.triangles[c / 3][c % 3]]; }, executor);
-  SurfaceFrame frame;
-  frame.middle = box.middle();
-  const double half = box.extent().maxCoeff() / 2;
-  while (half * frame.scale > 1) frame.scale /= 2;
-  while (half > 0 && half * frame.scale <= 0.5) frame.scale *= 2;
-  return frame;
-}
-
 struct UsableTriangles {
   Mesh mesh;
   std::vector<TriangleId> origin;
@@ -197,6 +185,18 @@ class SurfaceInputBuilder {
 };
 
 }  // namespace
+
+SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
+  const BoundingBox box = bounding_box(
+      3 * mesh.triangle_count(),
+      [&](std::size_t c) { return mesh.positions[mesh.triangles[c / 3][c % 3]]; }, executor);
+  SurfaceFrame frame;
+  frame.middle = box.middle();
+  const double half = box.extent().maxCoeff() / 2;
+  while (half * frame.scale > 1) frame.scale /= 2;
+  while (half > 0 && half * frame.scale <= 0.5) frame.scale *= 2;
+  return frame;
+}
 
 std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input) {
   std::vector<std::int64_t> doubled(input.parts, 0);  // inner edges count half for each triangle

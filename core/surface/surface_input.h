@@ -22,6 +22,9 @@ struct SurfaceFrame {
   [[nodiscard]] Vec3 to_mesh(const Vec3& p) const { return p / scale + middle; }
 };
 
+/// Of the corners of a mesh's triangles.
+SurfaceFrame frame_of(const Mesh& mesh, Executor& executor = sequential());
+
 /// The surface on which sites move: the usable triangles of a mesh, cut apart where they are not a
 /// manifold, so that every edge has one or two of them, with edges split that are long for their
 /// size.

@@ -183,6 +183,39 @@ TEST_F(SessionModelTest, ARemeshHasTheFingerprintOfTheCommand) {
   EXPECT_EQ(read_file(output_ / "surface-remesh.ply"), read_file(folder_.path() / "again.ply"));
 }
 
+// Sites are seen on the surface, about as many as are wanted in the end.
+TEST_F(SessionModelTest, TheSitesOfARemeshAreSeenMoving) {
+  open(icosphere(5000), 5);
+  std::set<double> energies;
+  std::size_t sites = 0;
+  model_->perform(parse_command(R"({"do":"remesh","vertices":60})"), [&] {
+    const BundleReader bundle(model_->bundle("sites"));
+    const std::vector<double> places = bundle.array("sites");
+    sites = places.size() / 3;
+    EXPECT_EQ(sites, model_->remesh()->progress.sites);
+    for (std::size_t i = 0; i < places.size(); i += 3) {
+      const Vec3 site(places[i], places[i + 1], places[i + 2]);
+      const double scale = bundle.header().at("scale");
+      EXPECT_NEAR(norm(site) * scale, 1, 0.2);
+    }
+    energies.insert(model_->remesh()->progress.energy_ratio);
+    return true;
+  });
+  EXPECT_GE(sites, 60U);
+  EXPECT_GT(energies.size(), 3U);
+  EXPECT_FALSE(state()["layers"].contains("sites"));
+}
+
+TEST_F(SessionModelTest, RegionsKeepTheirColoursWhileSeedsMove) {
+  open(torus(600, 1), 12);
+  const auto palette = [this] { return BundleReader(model_->bundle("regions")).array("palette"); };
+  const std::vector<double> before = palette();
+  run(3);
+  EXPECT_EQ(palette(), before);
+  perform(R"({"do":"add_seed","id":)" + std::to_string(free_id()) + "}");
+  EXPECT_EQ(palette().size(), before.size() + 3);
+}
+
 TEST_F(SessionModelTest, LayersGoWithTheSeedsTheyBelongTo) {
   open(torus(600, 1), 12);
   perform(R"({"do":"truth"})");

@@ -21,6 +21,7 @@ void add_subdivide_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_repair_command(CLI::App& program);
 void add_quality_command(CLI::App& program);
+void add_view_command(CLI::App& program);
 // Both print what is made of all commands of the program.
 void add_completion_command(CLI::App& program);
 void add_man_command(CLI::App& program);

@@ -125,6 +125,7 @@ void run(int argc, char** argv) {
   geolloyd::add_remesh_command(program);
   geolloyd::add_remesh_all_command(program);
   geolloyd::add_render_command(program);
+  geolloyd::add_view_command(program);
   geolloyd::add_verify_command(program);
   geolloyd::add_compare_command(program);
   geolloyd::add_profile_command(program);

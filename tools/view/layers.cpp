@@ -64,13 +64,19 @@ void add_mesh(Bundle& bundle, const Mesh& mesh, const SurfaceColours& colours) {
 
 void add_regions(Bundle& bundle, const MeshGraph& mesh_graph, const Partition& partition,
                  std::span<const NodeId> seeds) {
+  add_regions(bundle, mesh_graph, partition, seeds,
+              colours_of_regions(mesh_graph.graph, partition, seeds.size()));
+}
+
+void add_regions(Bundle& bundle, const MeshGraph& mesh_graph, const Partition& partition,
+                 std::span<const NodeId> seeds, std::span<const Colour> colours) {
   add_region_array(bundle, "region", mesh_graph, partition, seeds.size());
   bundle.add_places("seeds", positions_of(mesh_graph, seeds));
   std::vector<std::uint32_t> ids(seeds.size());
   std::transform(seeds.begin(), seeds.end(), ids.begin(),
                  [&](NodeId seed) { return mesh_graph.input_id[seed]; });
   bundle.arrays.push_back({"seed_id", std::move(ids), 1, "", false});
-  add_colours(bundle, "palette", colours_of_regions(mesh_graph.graph, partition, seeds.size()));
+  add_colours(bundle, "palette", colours);
 }
 
 void add_region_figures(Bundle& bundle, std::span<const RegionSummary> regions) {

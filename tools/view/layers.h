@@ -23,6 +23,9 @@ void add_mesh(Bundle& bundle, const Mesh& mesh, const SurfaceColours& colours = 
 /// region, seeds, seed_id and palette; adjacent regions differ in colour.
 void add_regions(Bundle& bundle, const MeshGraph& mesh_graph, const Partition& partition,
                  std::span<const NodeId> seeds);
+/// The same with these colours.
+void add_regions(Bundle& bundle, const MeshGraph& mesh_graph, const Partition& partition,
+                 std::span<const NodeId> seeds, std::span<const Colour> colours);
 
 /// region_nodes, region_area and region_energy.
 void add_region_figures(Bundle& bundle, std::span<const RegionSummary> regions);

@@ -6,7 +6,6 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
-#include "geolloyd/errors.h"
 #include "tools/files/csv.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/relax_output.h"
@@ -16,15 +15,19 @@
 #include "tools/run/result.h"
 #include "tools/system/machine.h"
 #include "tools/view/command_lines.h"
+#include "tools/view/layers.h"
+#include "tools/view/page.h"
+#include "tools/view/page_contents.h"
 #include "tools/view/session_model.h"
 
 namespace geolloyd {
 namespace {
 
 constexpr const char* picture_name = "picture.png";
-constexpr std::array<const char*, 8> saved_names = {
-    "tessellation.ply", "seeds.csv",  "regions.csv",    "remesh.ply",
-    "report.json",      picture_name, first_seeds_name, surface_remesh_name};
+constexpr const char* page_name = "page.html";
+constexpr std::array<const char*, 9> saved_names = {
+    page_name,     "tessellation.ply", "seeds.csv",      "regions.csv",      "remesh.ply",
+    "report.json", picture_name,       first_seeds_name, surface_remesh_name};
 
 // Those of the command line that gives this result.
 RelaxArguments arguments_of(const std::filesystem::path& folder, const SteppedTessellation& t) {
@@ -100,6 +103,24 @@ std::string save_result(const std::filesystem::path& folder, SteppedTessellation
   return names;
 }
 
+// The regions as they are, and the surface remesh; where there is none, the dual.
+std::string save_page(const std::filesystem::path& folder, SteppedTessellation& t,
+                      const std::optional<SessionRemesh>& remesh, Scheduler& scheduler) {
+  const Start& start = t.start();
+  Result result;
+  result.relaxation = t.result();
+  const Relaxation& relaxation = result.relaxation;
+  const bool has_remesh = remesh && remesh->made;
+  if (!has_remesh) {
+    result.remesh = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
+  }
+  result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
+                                     relaxation.region_score);
+  Bundle bundle = relax_contents(arguments_of(folder, t), start, result, {}, scheduler);
+  if (has_remesh) add_remesh(bundle, remesh->made->mesh);
+  return write_page(folder / page_name, std::move(bundle));
+}
+
 }  // namespace
 
 void prepare_saving(const std::filesystem::path& folder,
@@ -120,7 +141,7 @@ std::string save_into(const std::filesystem::path& folder, Saving what,
                   scheduler);
     return picture_name;
   }
-  if (what == Saving::page) throw InvalidInput("save: pages are not there yet: save the result");
+  if (what == Saving::page) return save_page(folder, tessellation, remesh, scheduler);
   std::string names = save_result(folder, tessellation, scheduler);
   if (remesh && remesh->made) {
     write_surface_remesh(folder / surface_remesh_name, tessellation.start(), *remesh->made,

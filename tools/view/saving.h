@@ -22,7 +22,7 @@ void prepare_saving(const std::filesystem::path& folder,
 GraphRemesh dual_of(SteppedTessellation& tessellation, Scheduler& scheduler);
 
 /// Writes the files of `relax`, first-seeds.csv and, if there is one, the surface remesh; or
-/// picture.png. Returns what was written, for people. Throws Error.
+/// picture.png; or page.html. Returns what was written, for people. Throws Error.
 std::string save_into(const std::filesystem::path& folder, Saving what,
                       SteppedTessellation& tessellation, const std::optional<SessionRemesh>& remesh,
                       Scheduler& scheduler);

@@ -1,10 +1,12 @@
 #include "tools/view/session_model.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/base/bounding_box.h"
 #include "core/remesh/tessellation.h"
+#include "core/surface/surface_input.h"
 #include "core/surface/surface_remesh.h"
 #include "geolloyd/errors.h"
 #include "tools/report/report_parts.h"
@@ -14,6 +16,7 @@
 #include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
 #include "tools/view/saving.h"
+#include "tools/view/site_watch.h"
 
 namespace geolloyd {
 namespace {
@@ -60,9 +63,11 @@ void SessionModel::perform(const SessionCommand& command, const std::function<bo
   switch (command.action) {
     case Action::set:
       tessellation_.set(changed(tessellation_.options(), command.changes, field_file_));
+      region_colours_.clear();
       break;
     case Action::choose_seeds:
       tessellation_.choose_seeds();
+      region_colours_.clear();
       break;
     case Action::add_seed:
       tessellation_.add_seed(command.id);
@@ -122,6 +127,16 @@ void SessionModel::seeds_changed() {
   touch("trees");
 }
 
+// A region keeps its colour while seeds move, so that one can follow it.
+const std::vector<Colour>& SessionModel::region_colours() {
+  const std::size_t regions = tessellation_.seeds().size();
+  if (region_colours_.size() != regions) {
+    region_colours_ = colours_of_regions(tessellation_.start().mesh_graph.graph,
+                                         tessellation_.partition(), regions);
+  }
+  return region_colours_;
+}
+
 void SessionModel::make_truth() {
   const Start& start = tessellation_.start();
   truth_ = make_ground_truth(scheduler_, start.input.mesh(), start.mesh_graph,
@@ -152,19 +167,29 @@ void SessionModel::make_surface_remesh(std::size_t vertices,
   if (!next.field.empty()) options.field = tessellation_.field();
   require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
                                                              options, {}, scheduler_));
+  const SurfaceFrame frame = frame_of(input.mesh(), scheduler_);
+  const auto keep_sites = [&](std::span<const Vec3> sites) {
+    std::vector<Vec3>& kept = remesh_->sites;
+    kept.resize(sites.size());
+    std::transform(sites.begin(), sites.end(), kept.begin(),
+                   [&](const Vec3& p) { return frame.to_mesh(p); });
+  };
   std::optional<SessionRemesh> before = std::exchange(remesh_, std::move(next));
   options.progress = [&](const SurfaceRemeshProgress& progress) {
     remesh_->progress = progress;
+    touch("sites");
     return keep_going();
   };
   try {
     remesh_->made = geolloyd::make_surface_remesh(
         input.mesh(), tessellation_.edges(), options,
-        make_surface_engines(EngineKind::parallel, scheduler_), scheduler_);
+        watched(make_surface_engines(EngineKind::parallel, scheduler_), keep_sites), scheduler_);
   } catch (...) {
+    layers_.erase("sites");
     remesh_ = std::move(before);
     throw;
   }
+  layers_.erase("sites");
   touch("remesh");
 }
 
@@ -237,7 +262,8 @@ std::string SessionModel::bundle(std::string_view name) {
   if (name == "mesh") {
     add_mesh(bundle, start.input.mesh(), colours_);
   } else if (is("regions")) {
-    add_regions(bundle, mesh_graph, tessellation_.partition(), tessellation_.seeds());
+    add_regions(bundle, mesh_graph, tessellation_.partition(), tessellation_.seeds(),
+                region_colours());
     add_region_figures(bundle, tessellation_.summaries());
   } else if (is("trees")) {
     add_trees(bundle, mesh_graph, tessellation_.partition());
@@ -249,7 +275,7 @@ std::string SessionModel::bundle(std::string_view name) {
     add_remesh(bundle, dual_->mesh);
   } else if (is("remesh")) {
     add_remesh(bundle, remesh_->made->mesh);
-  } else if (is("sites")) {
+  } else if (name == "sites" && remesh_) {  // also for who asks when they have just come to rest
     bundle.add_places("sites", remesh_->sites);
   } else {
     throw InvalidInput("no such layer now: give mesh, or one that the state names");

@@ -66,6 +66,7 @@ class SessionModel {
   void make_surface_remesh(std::size_t vertices, const std::function<bool()>& keep_going);
   void save(Saving what);
   void seeds_changed();
+  const std::vector<Colour>& region_colours();
   void touch(const std::string& layer) { layers_[layer] = ++revision_; }
   [[nodiscard]] std::filesystem::path remesh_field() const;
   [[nodiscard]] Json remesh_part() const;
@@ -77,6 +78,7 @@ class SessionModel {
   SurfaceColours colours_;
   Placement placement_;
   Json mesh_facts_;
+  std::vector<Colour> region_colours_;
   std::optional<GroundTruth> truth_;
   std::optional<GraphRemesh> dual_;
   std::optional<SessionRemesh> remesh_;
