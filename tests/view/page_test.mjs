@@ -41,6 +41,16 @@ const seedInSight = (page) => page.evaluate(() => {
   return null;
 });
 
+// Red, green and blue of what the canvas shows there.
+const pixelAt = (page, x, y) => page.evaluate(async (place) => {
+  const image = await createImageBitmap(await window.geolloyd.viewer.stage.picture());
+  const { left, top, width } = document.querySelector("canvas").getBoundingClientRect();
+  const context = new OffscreenCanvas(1, 1).getContext("2d");
+  const scale = image.width / width;
+  context.drawImage(image, -Math.floor((place.x - left) * scale), -Math.floor((place.y - top) * scale));
+  return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3);
+}, { x, y });
+
 async function testRegions(browser, folder) {
   const mesh = join(folder, "a.ply");
   geolloyd("generate", "creature", "--triangles", "20000", "--output", mesh);
@@ -59,6 +69,10 @@ async function testRegions(browser, folder) {
   expect(shown.grey < 0.03, "regions cover the mesh");
 
   const seed = await seedInSight(page);
+  expect(Math.max(...await pixelAt(page, seed.x, seed.y)) < 50, "a dark ball where the seed is");
+  await page.getByLabel("seeds", { exact: true }).click();
+  expect(Math.max(...await pixelAt(page, seed.x, seed.y)) >= 50, "none without the layer");
+  await page.getByLabel("seeds", { exact: true }).click();
   await page.mouse.click(seed.x, seed.y);
   const wanted = seeds[seed.region];
   const read = await figures(page);
