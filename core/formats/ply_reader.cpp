@@ -47,7 +47,7 @@ void read_strips(PlyBody& body, const PlyHeader& header, ParsedMesh& loaded) {
     const char* item = body.take(static_cast<std::size_t>(count) * sizeof(Index));
     indices.resize(static_cast<std::size_t>(count));
     for (std::int64_t& index : indices) {
-      index = load<Index>(item, body.order());
+      index = std::int64_t{load<Index>(item, body.order())};
       item += sizeof(Index);
     }
     add_strip(loaded, indices, restart_of<Index>(), header.elements[header.vertex].count,
