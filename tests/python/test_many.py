@@ -108,6 +108,16 @@ def test_what_fails_for_every_mesh_is_refused_at_once(meshes, tmp_path, words, n
     assert not (tmp_path / "out").exists()
 
 
+def test_folders(meshes, tmp_path):
+    (tmp_path / "in").mkdir()
+    with pytest.raises(ValueError, match="no meshes"):
+        geolloyd.remesh_many(tmp_path / "in", tmp_path / "out", count=60)
+    shutil.copy(meshes / "mesh001.ply", tmp_path / "in/one.PLY")
+    (tmp_path / "in/notes.txt").write_text("of no mesh")
+    (row,) = geolloyd.remesh_many(tmp_path / "in", tmp_path / "out", count=60)
+    assert row["error"] is None and row["output"].endswith("one.ply")
+
+
 def test_outputs_never_replace(meshes, tmp_path):
     with pytest.raises(ValueError, match="is an input"):
         geolloyd.remesh_many(meshes, meshes, count=60)

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/formats/mesh_formats.h"
 #include "geolloyd/mesh.h"
 #include "geolloyd/shapes.h"
 #include "tools/python/arrays.h"
@@ -85,6 +86,7 @@ py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_
 }  // namespace
 
 void bind_files(py::module_& module) {
+  module.def("has_mesh_name", &has_mesh_name, py::arg("path"));
   module.def("read", &read, py::arg("path"));
   module.def("write", &write, py::arg("path"), py::arg("vertices"), py::arg("faces"),
              py::arg("of_vertices"), py::arg("of_triangles"));

@@ -18,7 +18,7 @@ from ._files import read, write
 from ._manifest import Manifest
 from ._remesh import remesh
 from ._results import Mesh, Remesh
-from ._core import version
+from ._core import has_mesh_name, version
 
 Path = Union[str, "os.PathLike[str]"]
 Row = Dict[str, Any]
@@ -51,7 +51,7 @@ def remesh_many(inputs: Union[Path, Iterable[Path]], output_folder: Path, *, exe
 
     Parameters
     ----------
-    inputs : a folder of meshes, or paths
+    inputs : a folder, whose files with the extension of a mesh are taken; or paths
     executor : who works: any concurrent.futures executor, such as dask.distributed's Client.get_executor() or
         mpi4py.futures.MPIPoolExecutor(); its workers see the same files. A function that makes one is called
         again where one broke, as a process pool does when a process dies. None: threads of this process
@@ -95,7 +95,12 @@ def remesh_many(inputs: Union[Path, Iterable[Path]], output_folder: Path, *, exe
 def _paths(inputs: Union[Path, Iterable[Path]]) -> List[pathlib.Path]:
     if isinstance(inputs, (str, os.PathLike)):
         folder = pathlib.Path(inputs)
-        return sorted(path for path in folder.iterdir() if path.is_file()) if folder.is_dir() else [folder]
+        if not folder.is_dir():
+            return [folder]
+        found = sorted(path for path in folder.iterdir() if path.is_file() and has_mesh_name(str(path)))
+        if not found:
+            raise ValueError(f"{folder}: no meshes in this folder")
+        return found
     return [pathlib.Path(path) for path in inputs]
 
 
