@@ -34,6 +34,11 @@ void HttpConnection::close() {
   owner_.closed(shared_from_this());
 }
 
+bool HttpConnection::is_silent() const {
+  boost::system::error_code error;
+  return stage_ == Stage::reading && socket_.available(error) == 0;
+}
+
 void HttpConnection::limit(std::chrono::milliseconds time) {
   deadline_.expires_after(time);
   deadline_.async_wait([self = shared_from_this()](const boost::system::error_code& error) {

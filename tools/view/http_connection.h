@@ -33,6 +33,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void start();
   void close();
   [[nodiscard]] Stage stage() const { return stage_; }
+  /// Its request is not there, and nothing of it waits to be read.
+  [[nodiscard]] bool is_silent() const;
   /// The state has changed: it is sent to those who listen, at most 20 times a second.
   void tell_state() { has_news_ = true; }
 

@@ -102,16 +102,17 @@ class HttpServer::Loop {
     if (connections_.size() < most_connections) accept();
   }
 
-  // Those that are answered stay.
+  // Those that are answered stay, and those whose request has come and was not read yet.
   void make_room() {
-    const auto oldest =
-        std::find_if(connections_.begin(), connections_.end() - 1, [](const Connection& c) {
-          return c->stage() == HttpConnection::Stage::reading ||
-                 c->stage() == HttpConnection::Stage::closing;
-        });
-    if (oldest == connections_.end() - 1) return;
-    const Connection leaving = *oldest;
-    leaving->close();
+    const auto newest = connections_.end() - 1;
+    auto leaving = std::find_if(connections_.begin(), newest, [](const Connection& c) {
+      return c->stage() == HttpConnection::Stage::closing;
+    });
+    if (leaving == newest) {
+      leaving = std::find_if(connections_.begin(), newest,
+                             [](const Connection& c) { return c->is_silent(); });
+    }
+    if (leaving != newest) Connection(*leaving)->close();
   }
 
   void gone(const Connection& connection) {
