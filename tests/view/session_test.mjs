@@ -3,7 +3,7 @@ import { spawn } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
-import { complaintsOf, expect, geolloyd, program, report, whenDrawn, withBrowser } from "./browser.mjs";
+import { complaintsOf, expect, geolloyd, program, report, unreachableControls, whenDrawn, withBrowser } from "./browser.mjs";
 
 const began = Date.now();
 
@@ -202,6 +202,8 @@ await withBrowser(async (browser, folder) => {
   geolloyd("generate", "creature", "--triangles", "20000", "--output", mesh);
   const { child, ended, address } = await startView(mesh, "--seeds", "40", "--init", "random", "--output", join(folder, "saved"));
   const { page, complaints } = await open(browser, address);
+  const unreachable = await unreachableControls(page);
+  expect(unreachable.length === 0, `the keyboard reaches ${unreachable}`);
   await testOptions(page, address);
   await testSeeds(page, address);
   await testRelaxation(page, address, folder);
