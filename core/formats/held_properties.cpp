@@ -25,10 +25,26 @@ Numbers colours_of(std::span<const Property> properties, MeshFormat format) {
   return colours;
 }
 
+// The first of these that has integers.
+const Property* label_of(std::span<const Property> properties,
+                         const std::vector<const char*>& names) {
+  for (const char* name : names) {
+    const Property* property = find_property(properties, name);
+    if (property != nullptr && has_integers(*property)) return property;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 HeldProperties::HeldProperties(MeshFormat format, const Properties& properties) {
   if (format == MeshFormat::stl) return;
+  const bool has_labels = format == MeshFormat::medit || format == MeshFormat::gmsh;
+  if (format == MeshFormat::medit) vertex_label = label_of(properties.of_vertices, {"ref"});
+  if (has_labels) {
+    triangle_label = label_of(properties.of_triangles, {"ref", "physical", "entity", "region"});
+    return;
+  }
   const std::span<const Property> vertices = properties.of_vertices;
   colours = colours_of(vertices, format);
   normals = numbers_of(vertices, {"nx", "ny", "nz"});
@@ -39,6 +55,7 @@ HeldProperties::HeldProperties(MeshFormat format, const Properties& properties) 
 }
 
 bool HeldProperties::hold(const Property& property) const {
+  if (&property == vertex_label || &property == triangle_label) return true;
   const std::array<const Numbers*, 4> lists = all();
   return std::any_of(lists.begin(), lists.end(), [&](const Numbers* numbers) {
     return std::find(numbers->begin(), numbers->end(), &property) != numbers->end();

@@ -20,6 +20,8 @@ struct HeldProperties {
   Numbers normals;  ///< of vertices
   Numbers texture;  ///< of vertices
   Numbers triangle_colours;
+  const Property* vertex_label = nullptr;    ///< "ref"
+  const Property* triangle_label = nullptr;  ///< "ref", "physical", "entity" or "region"
 
   HeldProperties(MeshFormat format, const Properties& properties);
 

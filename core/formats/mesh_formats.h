@@ -7,7 +7,7 @@
 
 namespace geolloyd {
 
-enum class MeshFormat { ply, obj, off, stl, glb, gltf };
+enum class MeshFormat { ply, obj, off, stl, glb, gltf, gmsh, medit, vtp };
 
 /// What a format is called, and what is done with it.
 struct MeshFormatFacts {
@@ -19,13 +19,16 @@ struct MeshFormatFacts {
 };
 
 /// All of them, in the order of the enumeration.
-inline constexpr std::array<MeshFormatFacts, 6> mesh_formats{{
+inline constexpr std::array<MeshFormatFacts, 9> mesh_formats{{
     {MeshFormat::ply, "PLY", ".ply"},
     {MeshFormat::obj, "OBJ", ".obj"},
     {MeshFormat::off, "OFF", ".off"},
     {MeshFormat::stl, "STL", ".stl"},
     {MeshFormat::glb, "GLB", ".glb"},
     {MeshFormat::gltf, "glTF", ".gltf"},
+    {MeshFormat::gmsh, "Gmsh", ".msh"},
+    {MeshFormat::medit, "medit", ".mesh"},
+    {MeshFormat::vtp, "VTP", ".vtp", false},
 }};
 
 const MeshFormatFacts& facts_of(MeshFormat format);

@@ -22,9 +22,15 @@ ParsedMesh parse_as(MeshFormat format, std::string_view bytes, std::string_view 
       return read_stl(bytes, name);
     case MeshFormat::glb:
     case MeshFormat::gltf:
+      return read_gltf(bytes, name, options, folder);
+    case MeshFormat::gmsh:
+      return read_gmsh(bytes, name, options);
+    case MeshFormat::medit:
+      return read_medit(bytes, name, options);
+    case MeshFormat::vtp:
       break;
   }
-  return read_gltf(bytes, name, options, folder);
+  throw InvalidInput(std::string(name) + ": VTP is not read");
 }
 
 void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) {

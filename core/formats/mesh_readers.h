@@ -40,6 +40,8 @@ ParsedMesh read_ply(std::string_view bytes, std::string_view name, const ReadOpt
 ParsedMesh read_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_off(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_stl(std::string_view bytes, std::string_view name);
+ParsedMesh read_gmsh(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ParsedMesh read_medit(std::string_view bytes, std::string_view name, const ReadOptions& options);
 ParsedMesh read_gltf(std::string_view bytes, std::string_view name, const ReadOptions& options,
                      const std::filesystem::path* folder);
 

@@ -133,7 +133,7 @@ void check_float_range(const FileWriter& out, const Mesh& mesh, const char* form
 
 void keep_writable(const std::filesystem::path& path, Properties& properties) {
   const MeshFormat format = format_to_write(path);
-  if (format == MeshFormat::ply) return;
+  if (format == MeshFormat::ply || format == MeshFormat::vtp) return;
   const HeldProperties held(format, properties);
   const auto keep = [&](const std::vector<Property>& all, const char* what) {
     std::vector<Property> kept;
@@ -167,6 +167,12 @@ void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties)
     case MeshFormat::glb:
     case MeshFormat::gltf:
       return write_gltf(out, mesh, {format, properties}, format == MeshFormat::glb);
+    case MeshFormat::gmsh:
+      return write_gmsh(out, mesh, {format, properties});
+    case MeshFormat::medit:
+      return write_medit(out, mesh, {format, properties});
+    case MeshFormat::vtp:
+      return write_vtp(out, mesh, properties);
   }
 }
 

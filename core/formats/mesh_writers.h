@@ -20,4 +20,11 @@ void check_float_range(const FileWriter& out, const Mesh& mesh, const char* form
 void write_gltf(FileWriter& out, const Mesh& mesh, const HeldProperties& properties,
                 bool is_binary);
 
+/// medit and Gmsh: text, with a label of each triangle, and in medit of each vertex.
+void write_medit(FileWriter& out, const Mesh& mesh, const HeldProperties& properties);
+void write_gmsh(FileWriter& out, const Mesh& mesh, const HeldProperties& properties);
+
+/// VTK's XML with all properties as arrays, their bytes appended.
+void write_vtp(FileWriter& out, const Mesh& mesh, const Properties& properties);
+
 }  // namespace geolloyd

@@ -226,9 +226,9 @@ TEST_F(MeshIo, FacesThatNameAVertexTwiceAreKept) {
 }
 
 TEST_F(MeshIo, ComplaintsAboutAnyFormatSayWhere) {
-  EXPECT_EQ(
-      complaint("m.xyz", "?"),
-      "m.xyz: unknown extension '.xyz'; .ply, .obj, .off, .stl, .glb and .gltf are understood");
+  EXPECT_EQ(complaint("m.xyz", "?"),
+            "m.xyz: unknown extension '.xyz'; .ply, .obj, .off, .stl, .glb, .gltf, .msh and .mesh "
+            "are understood");
   for (const std::string name : {"m.ply", "m.obj", "m.off", "m.stl"}) {
     EXPECT_EQ(complaint(name, ""), name + ": byte 0: the file is empty");
     EXPECT_FALSE(is_accepted(name, std::string(300, '\0'))) << name;

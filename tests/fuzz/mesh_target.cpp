@@ -52,7 +52,7 @@ void require_facts(const Mesh& mesh) {
 
 void require_round_trip(const Mesh& mesh) {
   static const TemporaryFolder folder;
-  for (const char* name : {"mesh.ply", "mesh.obj", "mesh.off"}) {
+  for (const char* name : {"mesh.ply", "mesh.obj", "mesh.off", "mesh.msh", "mesh.mesh"}) {
     write_mesh(folder.path() / name, mesh);
     const Mesh same = read_mesh(folder.path() / name).mesh;
     require(same.positions == mesh.positions && same.triangles == mesh.triangles,

@@ -46,8 +46,8 @@ struct ReadOptions {
   std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max();  ///< of an unpacked file
 };
 
-/// Reads PLY, OBJ, OFF/COFF or STL, told by the extension (case-insensitive), also packed by gzip
-/// or zstd ("scan.ply.gz", "scan.ply.zst"), which the first bytes tell.
+/// Reads PLY, OBJ, OFF/COFF, STL, GLB, glTF, Gmsh or medit, told by the extension, also packed by
+/// gzip or zstd ("scan.ply.gz"), which the first bytes tell.
 ///
 /// A polygon of n corners becomes n - 2 triangles, in order, so triangle ids count those: a fan
 /// around its first corner, or, where it is concave and flat, others that cover it. Throws IoError
