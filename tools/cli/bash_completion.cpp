@@ -17,7 +17,8 @@ std::string value_case(const std::string& command, const OptionWords& option) {
   if (option.value.empty() || option.is_argument()) return "";
   std::string pattern;
   for (const std::string& name : option.names) {
-    pattern += (pattern.empty() ? "\"" : " | \"") + command + " " + name + "\"";
+    if (!pattern.empty()) pattern += " | ";
+    pattern.append("\"").append(command).append(" ").append(name).append("\"");
   }
   return "    " + pattern + ") words=\"" + joined_words(option.choices()) +
          "\" files=" + (option.takes_file() ? "yes" : "") + " ;;\n";

@@ -72,15 +72,22 @@ std::string section(const CLI::App& command) {
 }  // namespace
 
 std::string manual_page(const CLI::App& program, const std::string& name) {
-  std::string text =
-      ".TH GEOLLOYD 1 \"\" \"" + escaped(name) +
-      "\" \"User Commands\"\n.SH NAME\ngeolloyd \\- remeshes and centroidal Voronoi "
-      "tessellations of triangle meshes\n.SH SYNOPSIS\n" +
-      bold("geolloyd") + " " + italic("COMMAND") + " [options]\n.SH DESCRIPTION\n.nf\n" +
-      escaped(program.get_description()) +
-      "\n.fi\n.PP\nThe exit status is 0 where the work is done, 2 where the input or an "
-      "option cannot be used, 130 after an interrupt, and 1 after a fault of the "
-      "program.\n.SH OPTIONS\n";
+  std::string text = R"(.TH GEOLLOYD 1 "" ")" + escaped(name) + R"(" "User Commands"
+.SH NAME
+geolloyd \- remeshes and centroidal Voronoi tessellations of triangle meshes
+.SH SYNOPSIS
+)" + bold("geolloyd") +
+                     " " + italic("COMMAND") + R"( [options]
+.SH DESCRIPTION
+.nf
+)" + escaped(program.get_description()) +
+                     R"(
+.fi
+.PP
+The exit status is 0 where the work is done, 2 where the input or an option cannot be used,
+130 after an interrupt, and 1 after a fault of the program.
+.SH OPTIONS
+)";
   for (const OptionWords& option : option_words(program)) text += entry(option);
   text += ".SH COMMANDS\n";
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
