@@ -11,9 +11,9 @@ enum class MeshFormat { ply, obj, off, stl, glb, gltf, gmsh, medit, vtp };
 
 /// What a format is called, and what is done with it.
 struct MeshFormatFacts {
-  MeshFormat format;
-  const char* name;       ///< as people write it
-  const char* extension;  ///< of its files, in small letters
+  MeshFormat format{};
+  const char* name = "";       ///< as people write it
+  const char* extension = "";  ///< of its files, in small letters
   bool is_read = true;
   bool is_written = true;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
