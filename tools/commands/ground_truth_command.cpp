@@ -6,6 +6,7 @@
 
 #include "core/base/stopwatch.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/experiment.h"
 #include "tools/report/ground_truth_output.h"
@@ -62,6 +63,7 @@ void add_ground_truth_command(CLI::App& program) {
   folder_name(command->add_option("-o,--output", arguments->output,
                                   "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
                                   "ground-truth-regions.csv"));
+  add_json_option(*command);
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_frontier_option(*command, arguments->engine);

@@ -17,6 +17,7 @@
 #include "tools/cli/format_option.h"
 #include "tools/cli/memory_option.h"
 #include "tools/cli/suggestion.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/system/available_memory.h"
 #include "tools/system/build_facts.h"
@@ -138,6 +139,7 @@ void run(int argc, char** argv) {
   geolloyd::add_quality_command(program);
   for (CLI::App* command : program.get_subcommands({})) {
     geolloyd::add_memory_option(*command);
+    geolloyd::add_quiet_option(*command);
     if (command->get_name() != "generate") geolloyd::add_format_option(*command);
   }
   geolloyd::add_completion_command(program);

@@ -7,12 +7,14 @@
 
 #include "geolloyd/errors.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/quality_output.h"
 #include "tools/run/quality.h"
 #include "tools/run/stages.h"
+#include "tools/system/summary.h"
 #include "tools/words/mesh_files.h"
 
 namespace geolloyd {
@@ -37,6 +39,7 @@ void run_quality(const QualityArguments& a) {
   ProgressLine progress;
   const QualityRecord record = judge(input, scheduler, progress);
   if (!a.output.empty()) write_text_file(a.output, quality_report(record));
+  if (wants_json()) print_json(quality_report(record));
   fmt::print("{}", quality_text(record));
 }
 
@@ -61,6 +64,7 @@ void add_quality_command(CLI::App& program) {
                    "that of a file as of relax, or of its curvature")
       ->type_name("FILE|curvature");
   command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
+  add_json_option(*command);
   add_thread_options(*command, a->threads);
   command->callback([a] { run_quality(*a); });
 }

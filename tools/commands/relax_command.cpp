@@ -11,6 +11,7 @@
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/folder_lock.h"
 #include "tools/report/ground_truth_output.h"
@@ -25,6 +26,7 @@
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/progress.h"
+#include "tools/system/summary.h"
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/facts_text.h"
@@ -280,6 +282,7 @@ void run_relax(const RelaxArguments& arguments) {
                       relax_contents(arguments, start, result, ended.course, scheduler));
   }
   progress.clear();
+  if (wants_json()) print_json(report_text(arguments, start, result, cost));
   print_summary(arguments, start, result, cost);
   print_files(arguments, removed, result.relaxation.steps.size());
   fmt::print("{}", page);
@@ -295,6 +298,7 @@ void add_relax_command(CLI::App& program) {
   const auto arguments = std::make_shared<RelaxArguments>();
   arguments->start.has_properties = true;
   add_mesh_argument(*command, arguments->start);
+  add_json_option(*command);
   folder_name(
       command->add_option("-o,--output", arguments->output,
                           "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"

@@ -7,6 +7,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
+#include "tools/cli/summary_options.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/report/surface_remesh_output.h"
@@ -16,6 +17,7 @@
 #include "tools/system/machine.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
+#include "tools/system/summary.h"
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/mesh_files.h"
@@ -58,6 +60,7 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
     page = write_page(arguments.page_file, remesh_contents(arguments, done, scheduler));
   }
   progress.clear();
+  if (wants_json()) print_json(remesh_report(arguments, done.loaded, result));
   fmt::print("{}{}", describe(arguments, done.loaded, result), page);
   if (remesh.interrupted) throw InterruptedExit{};
 }
@@ -103,6 +106,7 @@ void add_remesh_command(CLI::App& program) {
       "Ctrl-C ends the work and writes the best remesh so far. For the thesis's tessellation, "
       "with\n"
       "regions, seeds on nodes and metrics, use relax.");
+  add_json_option(*command);
   command->callback([a] { run_remesh(*a); });
 }
 

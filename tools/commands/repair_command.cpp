@@ -16,6 +16,7 @@
 #include "core/mesh/properties.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
@@ -27,6 +28,7 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
+#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 
@@ -92,23 +94,22 @@ void run_repair(const RepairCommandArguments& arguments) {
   keep_writable(arguments.output, carried);
   write_mesh(files[0], repaired.mesh, carried);
   if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
-  if (!arguments.report_file.empty()) {
-    Json report = {{"command", "repair"},
-                   {"program", program_name()},
-                   {"machine", machine_part()},
-                   {"input", mesh_part(given)},
-                   {"options", {{"fill_holes", name_of_hole_size(arguments.repair.options)}}},
-                   {"repairs", repairs_part(repaired.repairs)},
-                   {"properties", properties_part(carried)},
-                   {"vertices", facts.vertices},
-                   {"triangles", facts.triangles},
-                   {"area", facts.area},
-                   {"topology", topology_part(topology)},
-                   {"is_manifold", topology.is_manifold()},
-                   {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
-    files[names.size() - 1].text(json_text(report));
-  }
+  const Json report = {{"command", "repair"},
+                       {"program", program_name()},
+                       {"machine", machine_part()},
+                       {"input", mesh_part(given)},
+                       {"options", {{"fill_holes", name_of_hole_size(arguments.repair.options)}}},
+                       {"repairs", repairs_part(repaired.repairs)},
+                       {"properties", properties_part(carried)},
+                       {"vertices", facts.vertices},
+                       {"triangles", facts.triangles},
+                       {"area", facts.area},
+                       {"topology", topology_part(topology)},
+                       {"is_manifold", topology.is_manifold()},
+                       {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
+  if (!arguments.report_file.empty()) files[names.size() - 1].text(json_text(report));
   files.commit();
+  if (wants_json()) print_json(json_text(report));
   progress.clear();
   fmt::print("{}\n{}{}", given.file.string(),
              describe(given.loaded, given.facts, HandledBy::repair),
@@ -141,6 +142,7 @@ void add_repair_command(CLI::App& program) {
   command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");
   add_hole_option(*command, a->repair);
   add_thread_options(*command, a->threads);
+  add_json_option(*command);
   command->callback([a] { run_repair(*a); });
 }
 

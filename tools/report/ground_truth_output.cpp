@@ -9,6 +9,7 @@
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
+#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -99,12 +100,15 @@ void prepare_ground_truth_output(const std::filesystem::path& folder,
 
 void write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
                         const Start& start, const JudgedPartition& judged) {
-  if (folder.empty()) return;
-  FileGroup files(folder, ground_truth_names);
-  write_regions(start.mesh_graph, judged, files[0]);
-  write_seeds(start, judged.truth, files[1]);
-  files[2].text(json_text(result_of(arguments, start, judged)));
-  files.commit();
+  const std::string report = json_text(result_of(arguments, start, judged));
+  if (!folder.empty()) {
+    FileGroup files(folder, ground_truth_names);
+    write_regions(start.mesh_graph, judged, files[0]);
+    write_seeds(start, judged.truth, files[1]);
+    files[2].text(report);
+    files.commit();
+  }
+  if (wants_json()) print_json(report);
 }
 
 }  // namespace geolloyd

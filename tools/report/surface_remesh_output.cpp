@@ -303,6 +303,11 @@ void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemeshRe
   if (!arguments.map_file.empty()) write_map(remesh, files[1]);
 }
 
+std::string remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                          const SurfaceRemeshResult& result) {
+  return report_text(arguments, loaded, result);
+}
+
 void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
                          const SurfaceRemeshResult& result, FileGroup& files) {
   if (!arguments.report_file.empty()) {

@@ -21,6 +21,9 @@ FileGroup open_remesh_files(const SurfaceRemeshArguments& arguments);
 /// weights of its three corners; -1 and no weights where a vertex has no triangle.
 void write_remesh(const SurfaceRemeshArguments& arguments, const SurfaceRemeshResult& result,
                   FileGroup& files);
+/// JSON with all figures.
+std::string remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
+                          const SurfaceRemeshResult& result);
 /// The report, if it is asked for, with which all files appear.
 void write_remesh_report(const SurfaceRemeshArguments& arguments, const LoadedInput& loaded,
                          const SurfaceRemeshResult& result, FileGroup& files);

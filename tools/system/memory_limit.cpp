@@ -17,6 +17,7 @@
 #include "geolloyd/errors.h"
 #include "parallel/threads/available_cores.h"
 #include "tools/system/available_memory.h"
+#include "tools/system/summary.h"
 
 namespace geolloyd {
 namespace {
@@ -136,7 +137,7 @@ void require_memory(const std::string& what, std::uint64_t bytes) {
 
 void announce_memory(const std::string& what, std::uint64_t bytes) {
   require_memory(what, bytes);
-  if (bytes <= large || announced) return;
+  if (bytes <= large || announced || is_silent()) return;
   announced = true;
   const char* line_start = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
   fmt::print(stderr, "{}{}: takes up to {} of memory\n", line_start, what, memory_text(bytes));

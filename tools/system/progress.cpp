@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "tools/system/summary.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
@@ -22,7 +23,7 @@ std::string bar(std::size_t moving, std::size_t seeds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0 && !is_silent()) {}
 
 void ProgressLine::stage(const std::string& what) {
   part_.clear();

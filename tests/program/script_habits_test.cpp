@@ -1,0 +1,84 @@
+// What scripts rely on: JSON on the standard output, silence, exit codes.
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace geolloyd {
+namespace {
+
+class ScriptHabits : public Program {
+ protected:
+  [[nodiscard]] std::string in(const std::string& name) const { return out(name).string(); }
+
+  // Each command that judges or makes something, with options that make it short.
+  [[nodiscard]] std::vector<std::string> commands_with_figures() const {
+    const std::string mesh = mesh_.string();
+    return {"info " + mesh,
+            "quality " + mesh,
+            "remesh " + mesh + " -n 60 -o " + in("remesh.ply"),
+            "relax " + mesh + " -k 8 -o " + in("result"),
+            "repair " + mesh + " -o " + in("repaired.ply"),
+            "ground-truth " + mesh + " -k 8"};
+  }
+};
+
+TEST_F(ScriptHabits, JsonIsAllThatIsPrinted) {
+  for (const std::string& command : commands_with_figures()) {
+    const Outcome outcome = geolloyd_with(command + " --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    const auto json = nlohmann::json::parse(outcome.text, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << command << "\n" << outcome.text;
+    EXPECT_FALSE(json.empty()) << command;
+  }
+}
+
+TEST_F(ScriptHabits, JsonIsTheReport) {
+  const std::string report = in("report.json");
+  const Outcome printed = geolloyd_with("remesh " + mesh_.string() + " -n 60 -o " + in("r.ply") +
+                                        " --json --report " + report);
+  auto expected = nlohmann::json::parse(read_file(report));
+  auto found = nlohmann::json::parse(printed.text);
+  for (auto* json : {&expected, &found}) {
+    for (const char* changing : {"seconds", "peak_memory_bytes"}) json->erase(changing);
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST_F(ScriptHabits, QuietPrintsErrorsOnly) {
+  std::vector<std::string> commands = commands_with_figures();
+  const std::string mesh = mesh_.string();
+  commands.push_back("verify " + mesh + " -k 8");
+  commands.push_back("generate torus -t 500 -o " + in("t.ply"));
+  commands.push_back("subdivide " + mesh + " -s midpoint -o " + in("s.ply"));
+  commands.push_back("render " + mesh + " --size 64 -o " + in("p.png"));
+  for (const std::string& command : commands) {
+    const Outcome outcome = geolloyd_with(command + " --quiet");
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_EQ(outcome.text, "") << command;
+  }
+  expect_complaint(geolloyd_with("info --quiet " + in("missing.ply")), "cannot open");
+}
+
+TEST_F(ScriptHabits, JsonThatCannotBePrintedIsAnError) {
+  const Outcome outcome =
+      run_shell("(" GEOLLOYD_PROGRAM " quality " + mesh_.string() + " --json >/dev/full)");
+  expect_complaint(outcome, "standard output: cannot write: No space left on device");
+}
+
+// The table in tools/commands/README.md; 130 is in interruption_test.cpp.
+TEST_F(ScriptHabits, ExitCodesAreThoseOfTheTable) {
+  const std::string mesh = mesh_.string();
+  EXPECT_EQ(geolloyd_with("info " + mesh).status, 0);
+  EXPECT_EQ(geolloyd_with("--help").status, 0);
+  for (const std::string& wrong : std::vector<std::string>{
+           "", "no-such-command", "info", "info --no-such-option " + mesh,
+           "info " + in("missing.ply"), "remesh " + mesh + " -n 0 -o " + in("r.ply"),
+           "remesh " + mesh + " -n 60 -o " + in("no such folder") + "/r.ply",
+           "remesh " + mesh + " -n 60 -o " + in("r.xyz"), "relax " + mesh + " -k 8 -o " + mesh,
+           "quality --memory-limit 1K " + mesh}) {
+    EXPECT_EQ(geolloyd_with(wrong).status, 2) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace geolloyd
