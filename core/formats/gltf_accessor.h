@@ -38,8 +38,8 @@ class GltfAccessor {
     std::size_t stride = 0;
   };
 
-  Rows find_rows(const nlohmann::json& object, std::uint64_t count, std::size_t row_size,
-                 const std::string& what) const;
+  [[nodiscard]] Rows find_rows(const nlohmann::json& object, std::uint64_t count,
+                               std::size_t row_size, const std::string& what) const;
   void read_sparse(const nlohmann::json& sparse);
   template <class Visit>
   void for_each_row(Visit&& visit) const;

@@ -124,10 +124,8 @@ class Walk {
         const bool is_posed = node.contains("skin");
         instances_.push_back({mesh, is_posed ? Eigen::Matrix4d::Identity() : to_world});
       }
-      const std::vector<std::size_t> children = list(node, "children", what);
-      for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        open.push_back({*child, to_world});
-      }
+      std::vector<std::size_t> children = list(node, "children", what);
+      for (; !children.empty(); children.pop_back()) open.push_back({children.back(), to_world});
     }
   }
 

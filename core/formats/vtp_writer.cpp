@@ -81,7 +81,7 @@ class VtpWriter {
   void describe(const std::string& name, const std::string& type, int components,
                 std::uint64_t bytes) {
     out_.text("<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-              std::to_string(components) + "\" format=\"appended\" offset=\"" +
+              std::to_string(components) + R"(" format="appended" offset=")" +
               std::to_string(offset_) + "\"/>\n");
     offset_ += sizeof(std::uint64_t) + bytes;
   }
