@@ -45,7 +45,7 @@ constexpr std::uint64_t fewest_remesh_vertices = 4;
 Json parse_object(std::string_view text) {
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object()) {
-    throw InvalidInput("command: give a JSON object, as {\"do\": \"run\"}");
+    throw InvalidInput(R"(command: give a JSON object, as {"do": "run"})");
   }
   return json;
 }

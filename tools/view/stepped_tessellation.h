@@ -88,7 +88,7 @@ class SteppedTessellation {
   void rebuild(SessionOptions options, bool chooses_anew);
   std::vector<NodeId> choose(const SessionOptions& options, const Made* made);
   void begin(std::vector<NodeId> first_seeds, bool are_edited);
-  NodeId free_node(InputId id) const;
+  [[nodiscard]] NodeId free_node(InputId id) const;
   void check_region(RegionId region) const;
   void check_components(RegionId region, const std::vector<NodeId>& seeds) const;
   bool take(RelaxationState& state, const ProgressCallback& observer, SeedTrails* trails);
