@@ -127,7 +127,7 @@ class GltfWriter {
     const std::size_t begin = bytes_.size();
     for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
       for (const Property* part : colours) {
-        if (as_bytes) bytes_ += static_cast<char>(value_at(*part, v));
+        if (as_bytes) bytes_ += static_cast<char>(static_cast<unsigned char>(value_at(*part, v)));
         if (!as_bytes) append_float(bytes_, intensity_at(*part, v));
       }
       if (as_bytes) pad(bytes_, '\0');

@@ -33,7 +33,7 @@ class FileWriter {
       write(text);
       return;
     }
-    std::memcpy(room(text.size()), text.data(), text.size());
+    text.copy(room(text.size()), text.size());  // none of none, where memcpy wants a place
     used_ += text.size();
   }
 

@@ -15,7 +15,7 @@ class ScriptHabits : public Program {
     const std::string mesh = mesh_.string();
     return {"info " + mesh,
             "quality " + mesh,
-            "remesh " + mesh + " -n 60 -o " + in("remesh.ply"),
+            "remesh " + mesh + " -n 12 -o " + in("remesh.ply"),
             "relax " + mesh + " -k 8 -o " + in("result"),
             "repair " + mesh + " -o " + in("repaired.ply"),
             "ground-truth " + mesh + " -k 8"};
@@ -34,7 +34,7 @@ TEST_F(ScriptHabits, JsonIsAllThatIsPrinted) {
 
 TEST_F(ScriptHabits, JsonIsTheReport) {
   const std::string report = in("report.json");
-  const Outcome printed = geolloyd_with("remesh " + mesh_.string() + " -n 60 -o " + in("r.ply") +
+  const Outcome printed = geolloyd_with("remesh " + mesh_.string() + " -n 12 -o " + in("r.ply") +
                                         " --json --report " + report);
   auto expected = nlohmann::json::parse(read_file(report));
   auto found = nlohmann::json::parse(printed.text);
@@ -73,8 +73,8 @@ TEST_F(ScriptHabits, ExitCodesAreThoseOfTheTable) {
   for (const std::string& wrong : std::vector<std::string>{
            "", "no-such-command", "info", "info --no-such-option " + mesh,
            "info " + in("missing.ply"), "remesh " + mesh + " -n 0 -o " + in("r.ply"),
-           "remesh " + mesh + " -n 60 -o " + in("no such folder") + "/r.ply",
-           "remesh " + mesh + " -n 60 -o " + in("r.xyz"), "relax " + mesh + " -k 8 -o " + mesh,
+           "remesh " + mesh + " -n 12 -o " + in("no such folder") + "/r.ply",
+           "remesh " + mesh + " -n 12 -o " + in("r.xyz"), "relax " + mesh + " -k 8 -o " + mesh,
            "quality --memory-limit 1K " + mesh}) {
     EXPECT_EQ(geolloyd_with(wrong).status, 2) << wrong;
   }
