@@ -91,6 +91,15 @@ py::dict words_of(Tessellation& tessellation) {
   return words;
 }
 
+// Without Python's lock, and on the threads that are asked for.
+template <class Work>
+auto work_on(Request& request, Work&& work) {
+  const py::gil_scoped_release working;
+  Threads runtime(request.threads);
+  request.find_field(runtime);
+  return work(runtime);
+}
+
 py::tuple tessellate_arrays(const NumberArray& vertices, const IdArray& faces,
                             const py::dict& given, const std::string& greedy,
                             std::uint32_t max_greedy_steps, std::uint32_t max_macrosteps,
@@ -106,13 +115,9 @@ py::tuple tessellate_arrays(const NumberArray& vertices, const IdArray& faces,
     return watch.keep_going(name_of(phase_names, p.phase), p.step, p.seeds_moving, p.energy);
   };
   auto made = std::make_shared<Tessellated>();
-  {
-    const py::gil_scoped_release working;
-    Threads runtime(request.threads);
-    request.find_field(runtime);
-    made->tessellation = tessellate(request.mesh, options, runtime);
-    made->mesh = std::move(request.mesh);
-  }
+  made->tessellation = work_on(
+      request, [&](Runtime& runtime) { return tessellate(request.mesh, options, runtime); });
+  made->mesh = std::move(request.mesh);
   py::dict words = words_of(made->tessellation);
   return py::make_tuple(words, made);
 }
@@ -120,27 +125,17 @@ py::tuple tessellate_arrays(const NumberArray& vertices, const IdArray& faces,
 py::array first_seeds_of_arrays(const NumberArray& vertices, const IdArray& faces,
                                 const py::dict& given) {
   Request request(vertices, faces, given);
-  std::vector<InputId> seeds;
-  {
-    const py::gil_scoped_release working;
-    Threads runtime(request.threads);
-    request.find_field(runtime);
-    seeds = first_seeds(request.mesh, request.options, runtime);
-  }
-  return id_array(std::move(seeds));
+  return id_array(work_on(request, [&](Runtime& runtime) {
+    return first_seeds(request.mesh, request.options, runtime);
+  }));
 }
 
 py::array distances_of_arrays(const NumberArray& vertices, const IdArray& faces,
                               const py::dict& given) {
   Request request(vertices, faces, given);
-  std::vector<double> found;
-  {
-    const py::gil_scoped_release working;
-    Threads runtime(request.threads);
-    request.find_field(runtime);
-    found = distances(request.mesh, request.options, runtime);
-  }
-  return array_of<double>(std::move(found));
+  return array_of<double>(work_on(request, [&](Runtime& runtime) {
+    return distances(request.mesh, request.options, runtime);
+  }));
 }
 
 py::tuple dual(const Tessellated& made, bool manifold, std::size_t threads) {
