@@ -1,11 +1,11 @@
 #include "core/seeds/seed_file.h"
 
 #include <algorithm>
-#include <memory>
-#include <nanoflann.hpp>
+#include <array>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "core/seeds/seeds.h"
 #include "core/text/text_cursor.h"
@@ -14,95 +14,93 @@
 namespace geolloyd {
 namespace {
 
-/// Nearest node to a point.
-class NodeLocator {
- public:
-  explicit NodeLocator(const std::vector<Vec3>& positions)
-      : points_{positions}, tree_(3, points_, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
-
-  [[nodiscard]] NodeId nearest(const Vec3& p) const {
-    NodeId node = no_id;
-    double squared_distance = 0;
-    tree_.knnSearch(p.data(), 1, &node, &squared_distance);
-    return node;
-  }
-
- private:
-  // What nanoflann wants to see of the points; the names are its own.
-  struct Points {
-    const std::vector<Vec3>& positions;
-    // NOLINTBEGIN(readability-identifier-naming)
-    [[nodiscard]] std::size_t kdtree_get_point_count() const { return positions.size(); }
-    [[nodiscard]] double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-      return positions[i][static_cast<Eigen::Index>(axis)];
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box& /*box*/) const {
-      return false;
-    }
-    // NOLINTEND(readability-identifier-naming)
-  };
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
-                                                   Points, 3, NodeId>;
-
-  Points points_;
-  Tree tree_;
-};
+constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
 
 class SeedReader {
  public:
-  SeedReader(std::string_view text, std::string_view name, const MeshGraph& mesh_graph)
-      : cursor_(text, name), mesh_graph_(mesh_graph) {}
+  SeedReader(std::string_view text, std::string_view name, SeedsBy by, const MeshGraph& mesh_graph)
+      : cursor_(text, name), by_(by), mesh_graph_(mesh_graph) {}
 
-  std::vector<NodeId> read() {
+  GivenSeeds read() {
     cursor_.skip_empty_lines('#');
     const Form form = find_form();
     for (; !cursor_.at_end(); cursor_.skip_empty_lines('#')) {
-      add(form == Form::positions ? node_at_position() : node_of_id(form == Form::table));
+      if (!columns_.empty()) check_columns();
+      if (form == Form::positions) {
+        positions_.push_back(position());
+      } else {
+        add(node_of_id());
+      }
       cursor_.next_line();
     }
-    if (seeds_.empty()) cursor_.fail("no seeds in this file");
-    return std::move(seeds_);
+    if (ids_.empty() && positions_.empty()) cursor_.fail("no seeds in this file");
+    if (form == Form::ids) return {std::move(ids_), {}};
+    NearestNodes nearest = nearest_nodes(mesh_graph_, positions_);
+    return {std::move(nearest.nodes), nearest.fit};
   }
 
  private:
-  enum class Form { ids, positions, table };
+  enum class Form { ids, positions };
 
   Form find_form() {
-    TextCursor ahead = cursor_;
-    if (ahead.word() == "input_id") {
-      columns_ = words_in_line();
-      cursor_.next_line();
-      cursor_.skip_empty_lines('#');
-      return Form::table;
+    const std::vector<std::string> words = words_in_line();
+    const bool has_ids = !words.empty() && words.front() == "input_id";
+    if (has_ids || std::find(words.begin(), words.end(), axes[0]) != words.end()) {
+      return find_form_of_table(words, has_ids);
     }
-    return ahead.at_line_end() ? Form::ids : Form::positions;
+    if (words.size() > 1) return Form::positions;
+    if (by_ == SeedsBy::position && !words.empty()) {
+      cursor_.fail(
+          "a list of input ids has no positions: give a seeds.csv, three coordinates a "
+          "line, or a mesh");
+    }
+    return Form::ids;
+  }
+
+  Form find_form_of_table(const std::vector<std::string>& words, bool has_ids) {
+    columns_ = words;
+    const bool by_id = has_ids && by_ == SeedsBy::id;
+    if (!by_id) find_axes();
+    cursor_.next_line();
+    cursor_.skip_empty_lines('#');
+    return by_id ? Form::ids : Form::positions;
+  }
+
+  void find_axes() {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const auto found = std::find(columns_.begin(), columns_.end(), axes[i]);
+      if (found == columns_.end()) {
+        cursor_.fail("no column " + std::string(axes[i]) + ": seeds by position need x, y and z");
+      }
+      column_of_axis_[i] = static_cast<std::size_t>(found - columns_.begin());
+    }
   }
 
   // On this line, from here on.
-  [[nodiscard]] std::size_t words_in_line() const {
+  [[nodiscard]] std::vector<std::string> words_in_line() const {
     TextCursor ahead = cursor_;
-    std::size_t count = 0;
-    while (!ahead.word().empty()) ++count;
-    return count;
+    std::vector<std::string> words;
+    for (std::string_view word = ahead.word(); !word.empty(); word = ahead.word()) {
+      words.emplace_back(word);
+    }
+    return words;
   }
 
   void check_columns() const {
-    const std::size_t values = words_in_line();
-    if (values == columns_) return;
+    const std::size_t values = words_in_line().size();
+    if (values == columns_.size()) return;
     cursor_.fail(std::to_string(values) + " values where the table has " +
-                 std::to_string(columns_) + " columns: is the file complete?");
+                 std::to_string(columns_.size()) + " columns: is the file complete?");
   }
 
-  NodeId node_of_id(bool table) {
-    if (table) check_columns();
+  NodeId node_of_id() {
     const std::int64_t id = cursor_.integer("an input id");
     const auto count = static_cast<std::int64_t>(mesh_graph_.node_of.size());
     if (id < 0 || id >= count) {
       cursor_.fail("input id " + std::to_string(id) + " is none of this graph's, which are 0 to " +
                    std::to_string(count - 1));
     }
-    if (table) {
+    if (!columns_.empty()) {
       check_kind(static_cast<std::uint32_t>(id));
     } else if (!cursor_.at_line_end()) {
       cursor_.fail("expected one input id");
@@ -124,15 +122,25 @@ class SeedReader {
     }
   }
 
-  NodeId node_at_position() {
+  double coordinate(TextCursor& cursor) const {
+    const double number = cursor.real("a coordinate");
+    if (!is_usable(number)) cursor_.fail("coordinate is not a finite number of usable size");
+    return number;
+  }
+
+  Vec3 position() {
     Vec3 p;
-    for (double& coordinate : p) {
-      coordinate = cursor_.real("a coordinate");
-      if (!is_usable(coordinate)) cursor_.fail("coordinate is not a finite number of usable size");
+    if (!columns_.empty()) {
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        TextCursor cell = cursor_;
+        for (std::size_t skipped = 0; skipped < column_of_axis_[i]; ++skipped) cell.word();
+        p[static_cast<Eigen::Index>(i)] = coordinate(cell);
+      }
+      return p;
     }
+    for (double& number : p) number = coordinate(cursor_);
     if (!cursor_.at_line_end()) cursor_.fail("expected three coordinates");
-    if (!locator_) locator_ = std::make_unique<NodeLocator>(mesh_graph_.position);
-    return locator_->nearest(p);
+    return p;
   }
 
   void add(NodeId node) {
@@ -141,26 +149,36 @@ class SeedReader {
       cursor_.fail("the same node as the seed on line " + std::to_string(first->second) +
                    ": remove one of the two");
     }
-    seeds_.push_back(node);
+    ids_.push_back(node);
   }
 
   TextCursor cursor_;
+  SeedsBy by_;
   const MeshGraph& mesh_graph_;
-  std::unique_ptr<NodeLocator> locator_;
   std::unordered_map<NodeId, std::size_t> line_of_;
-  std::vector<NodeId> seeds_;
-  std::size_t columns_ = 0;  // of a table
+  std::vector<NodeId> ids_;
+  std::vector<Vec3> positions_;
+  std::vector<std::string> columns_;  // of a table, else none
+  std::array<std::size_t, 3> column_of_axis_{};
 };
 
 }  // namespace
 
-std::vector<NodeId> parse_seeds(std::string_view text, std::string_view name,
-                                const MeshGraph& mesh_graph, const Components& components) {
+GivenSeeds parse_seeds(std::string_view text, std::string_view name, SeedsBy by,
+                       const MeshGraph& mesh_graph, const Components& components) {
   std::string words(text);
   std::replace(words.begin(), words.end(), ',', ' ');
-  std::vector<NodeId> seeds = SeedReader(words, name, mesh_graph).read();
-  check_every_component_has_a_seed(name, mesh_graph, components, seeds);
+  GivenSeeds seeds = SeedReader(words, name, by, mesh_graph).read();
+  check_every_component_has_a_seed(name, mesh_graph, components, seeds.nodes);
   return seeds;
+}
+
+GivenSeeds seeds_at(std::span<const Vec3> positions, std::string_view name,
+                    const MeshGraph& mesh_graph, const Components& components) {
+  if (positions.empty()) throw InvalidInput(std::string(name) + ": no vertices to take as seeds");
+  NearestNodes nearest = nearest_nodes(mesh_graph, positions);
+  check_every_component_has_a_seed(name, mesh_graph, components, nearest.nodes);
+  return {std::move(nearest.nodes), nearest.fit};
 }
 
 std::size_t most_seeds(std::string_view text) {

@@ -46,11 +46,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                      Ground(geolloyd::GraphKind::triangle),
                                      Ground(geolloyd::GraphKind::mixed)};
   for (const Ground& ground : grounds) {
-    const auto seeds = if_accepted([&] {
-      return geolloyd::parse_seeds(text_of(data, size), input_name, ground.mesh_graph,
-                                   ground.components);
-    });
-    if (seeds) require_sound(ground, *seeds);
+    for (const auto by : {geolloyd::SeedsBy::id, geolloyd::SeedsBy::position}) {
+      const auto seeds = if_accepted([&] {
+        return geolloyd::parse_seeds(text_of(data, size), input_name, by, ground.mesh_graph,
+                                     ground.components);
+      });
+      if (seeds) require_sound(ground, seeds->nodes);
+    }
   }
   return 0;
 }

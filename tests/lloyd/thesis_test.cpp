@@ -47,8 +47,9 @@ TEST_P(Thesis, EnergiesAreThoseOfTheOriginalProgram) {
   MeshGraphOptions options;
   options.kind = expected.kind;
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
-  const auto seeds = parse_seeds(read_file(folder / expected.seeds), expected.seeds, made,
-                                 connected_components(made.graph));
+  const auto seeds = parse_seeds(read_file(folder / expected.seeds), expected.seeds, SeedsBy::id,
+                                 made, connected_components(made.graph))
+                         .nodes;
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   EXPECT_EQ(result.stop_reason, StopReason::converged);
@@ -69,7 +70,8 @@ TEST(ThesisField, OfTheHippoConverges) {
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
   const auto seeds =
       parse_seeds(read_file(folder / "hippo.init4096_vertex.txt"), "hippo.init4096_vertex.txt",
-                  made, connected_components(made.graph));
+                  SeedsBy::id, made, connected_components(made.graph))
+          .nodes;
   const auto engine = make_reference_engine(made.graph);
   const Relaxation result = relax(made.graph, *engine, seeds, {});
   EXPECT_EQ(result.stop_reason, StopReason::converged);

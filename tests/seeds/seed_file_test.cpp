@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 #include "geolloyd/errors.h"
@@ -17,27 +18,30 @@ const Mesh square_and_more{
 class SeedFile : public testing::Test {
  protected:
   // Input ids of what is read.
-  std::vector<std::uint32_t> read(const std::string& text, GraphKind kind = GraphKind::vertex) {
+  std::vector<std::uint32_t> read(const std::string& text, GraphKind kind = GraphKind::vertex,
+                                  SeedsBy by = SeedsBy::id) {
     MeshGraphOptions options;
     options.kind = kind;
     const MeshGraph made = make_mesh_graph(square_and_more, find_edges(square_and_more), options);
+    const GivenSeeds seeds = parse_seeds(text, "s.txt", by, made, connected_components(made.graph));
+    fit_ = seeds.fit;
     std::vector<std::uint32_t> ids;
-    for (const NodeId s : parse_seeds(text, "s.txt", made, connected_components(made.graph))) {
-      ids.push_back(made.input_id[s]);
-    }
+    for (const NodeId s : seeds.nodes) ids.push_back(made.input_id[s]);
     return ids;
   }
 
   void expect_refused(const std::string& text, const std::string& message,
-                      GraphKind kind = GraphKind::vertex) {
+                      GraphKind kind = GraphKind::vertex, SeedsBy by = SeedsBy::id) {
     try {
-      read(text, kind);
+      read(text, kind, by);
       FAIL() << "accepted: " << text;
     } catch (const InvalidInput& error) {
       EXPECT_NE(std::string(error.what()).find("s.txt: " + message), std::string::npos)
           << error.what();
     }
   }
+
+  std::optional<PositionFit> fit_;  // of what was read last
 };
 
 using Ids = std::vector<std::uint32_t>;
@@ -58,6 +62,49 @@ TEST_F(SeedFile, CountsTrianglesFromZeroOrInTheMixedGraphAfterTheVertices) {
 TEST_F(SeedFile, HoldsPositionsThatStandForTheNearestNode) {
   EXPECT_EQ(read("0.9 0.8 0.3\n5,0.6,0\n"), (Ids{2, 7}));
   EXPECT_EQ(read("0.6 0.3 0\n9 9 9\n", GraphKind::triangle), (Ids{0, 2}));
+}
+
+TEST_F(SeedFile, TakesATableByPositionIfAskedTo) {
+  const std::string header = "input_id,kind,x,y,z,nodes,area,energy\n";
+  const std::string rows = "77,triangle,0.1,1,0,4,1,2\n3,vertex,5,0.8,0,3,1,1\n";
+  EXPECT_EQ(read(header + rows, GraphKind::vertex, SeedsBy::position), (Ids{3, 7}));
+  ASSERT_TRUE(fit_);
+  EXPECT_NEAR(fit_->farthest, 0.2, 1e-12);
+  EXPECT_EQ(fit_->left_out, 0U);
+  EXPECT_EQ(read("z,name,y,x\n0,a,1,0\n0,b,1,5\n"), (Ids{3, 7}));  // has no ids
+  EXPECT_EQ(read("0 1 0\n5 1 0\n", GraphKind::vertex, SeedsBy::position), (Ids{3, 7}));
+  read("3\n6\n0\n");
+  EXPECT_FALSE(fit_);
+}
+
+TEST_F(SeedFile, LeavesOutPositionsAtTheNodeOfAnEarlierOneAndCountsThem) {
+  EXPECT_EQ(read("0 0 0\n0.1 0 0\n5 0 0\n0 0.2 0\n"), (Ids{0, 5}));
+  ASSERT_TRUE(fit_);
+  EXPECT_EQ(fit_->left_out, 2U);
+  EXPECT_NEAR(fit_->farthest, 0.2, 1e-12);
+}
+
+// The first is as far from 0 as from 1, the second from 0, 1, 2 and 3; all of triangle 2 are
+// behind.
+TEST_F(SeedFile, OfNodesEquallyNearTheOneWithTheSmallestIdIsTaken) {
+  EXPECT_EQ(read("0.5 -1 0\n5 0 0\n"), (Ids{0, 5}));
+  EXPECT_EQ(read("5 0 0\n0.5 0.5 0\n"), (Ids{5, 0}));
+  EXPECT_EQ(read("1.5 0.5 0\n5.5 0.5 0\n"), (Ids{1, 5}));
+}
+
+TEST_F(SeedFile, TakenByPositionIsRefusedWithTheLineWhereItIsWrong) {
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    expect_refused(text, message, GraphKind::vertex, SeedsBy::position);
+  };
+  refused("", "line 1: no seeds");
+  refused("input_id,kind,x,y,z\n", "line 2: no seeds");
+  refused("input_id,kind,x,y\n3,vertex,0,1\n", "line 1: no column z: seeds by position need");
+  refused("input_id,kind\n3,vertex\n", "line 1: no column x: seeds by position need x, y and z");
+  refused("input_id,kind,x,y,z\n3,vertex,0,nan,0\n", "line 2: coordinate is not a finite number");
+  refused("input_id,kind,x,y,z\n3,vertex,0,1\n", "line 2: 4 values where the table has 5 columns");
+  refused("input_id,kind,x,y,z\n3,vertex,0,1,a\n", "line 2: expected a coordinate, found 'a'");
+  refused("3\n6\n", "line 1: a list of input ids has no positions");
+  refused("0 0 0\n", "1 of 2 connected components have no seed");
 }
 
 TEST_F(SeedFile, HasAtMostAsManySeedsAsLines) {
@@ -106,7 +153,6 @@ TEST_F(SeedFile, IsRefusedWithTheLineWhereItIsWrong) {
   expect_refused("0\n99999999999999999999\n", "line 2: ");
   expect_refused("0\n4\n", "line 2: input id 4 has no region");
   expect_refused("0\n5\n0\n", "line 3: the same node as the seed on line 1");
-  expect_refused("0 0 0\n0.1 0 0\n", "line 2: the same node as the seed on line 1");
   expect_refused("0 0 0\n1 1\n", "line 2: ");
   expect_refused("0 0 0\n1 1 nan\n", "line 2: coordinate is not a finite number");
   expect_refused("0 0 0\n1e160 1 1\n", "line 2: coordinate is not a finite number");

@@ -46,11 +46,15 @@ void add_seed_options(CLI::App& command, SeedArguments& seeds) {
       command.add_option("-k,--seeds", seeds.count, "Number of seeds; each has one region"), 1,
       most_32_bits)
       ->group(seed_group);
-  command
-      .add_option("--seeds-file", seeds.file,
-                  "File of seeds to start from instead: one input id or three\n"
-                  "coordinates per line, or the seeds.csv of another run")
-      ->type_name("FILE")
+  CLI::Option* const file =
+      command.add_option("--seeds-file", seeds.file,
+                         "File of seeds to start from instead: one input id or three\n"
+                         "coordinates per line, the seeds.csv of another run, or a mesh");
+  file->type_name("FILE")->group(seed_group);
+  add_choice(command, "--by", seeds.by, seeds_by_names,
+             "Which columns of a seeds.csv count: id, or position for the nodes\n"
+             "nearest to seeds of another mesh or graph; position for a mesh")
+      ->needs(file)
       ->group(seed_group);
   add_init_options(command, seeds);
 }

@@ -21,6 +21,7 @@ namespace geolloyd {
 struct SeedArguments {
   std::size_t count = 0;  ///< 0: not given
   std::filesystem::path file;
+  SeedsBy by = SeedsBy::id;  ///< of the file
   SeedInit init = SeedInit::automatic;
   std::uint64_t random_seed = 1;
 };

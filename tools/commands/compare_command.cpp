@@ -63,7 +63,7 @@ std::string table_of(const Comparison& comparison) {
 
 void print_comparison(const Start& start, const Comparison& comparison) {
   const StepCounts& steps = comparison.steps;
-  print_heading(start.input, start.mesh_graph, start.seeds.size());
+  print_heading(start);
   fmt::print("{}\n", table_of(comparison));
   fmt::print("{}, {} of {}, {} by definition\n",
              counted(steps.greedy, "greedy step", "greedy steps"),

@@ -49,7 +49,7 @@ void run_ground_truth(const GroundTruthArguments& a) {
   }
   write_ground_truth(a.output, a.start, start, judged);
   progress.clear();
-  print_heading(start.input, start.mesh_graph, start.seeds.size());
+  print_heading(start);
   fmt::print("{}", describe(judged.truth));
 }
 

@@ -84,7 +84,7 @@ std::string search_line(const EngineProfile& profile) {
 void print_profiles(const Start& start, const std::vector<EngineProfile>& profiles) {
   const Relaxation& relaxation = profiles.front().run.relaxation;
   const StepCounts steps = count_steps(relaxation);
-  print_heading(start.input, start.mesh_graph, relaxation.seeds.size());
+  print_heading(start);
   for (const EngineProfile& profile : profiles) fmt::print("{}\n", table_of(profile));
   for (const EngineProfile& profile : profiles) {
     if (!profile.run.relaxation.steps.empty()) fmt::print("{}\n", search_line(profile));

@@ -78,6 +78,7 @@ void print_start(const RelaxArguments& arguments, const Start& start) {
              counted(start.components, "component", "components"));
   fmt::print("  {:<12}{} from {}\n", "seeds", grouped(start.seeds.size()),
              describe(seeds, graph, start.seeds.size()));
+  if (start.seed_fit) fmt::print("{}", describe(*start.seed_fit, start.input.facts));
 }
 
 void print_relaxation(const Result& result, double hexagonal) {
@@ -222,7 +223,7 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
 
 // Whose numbers a repair would change; empty: none is given.
 std::string option_that_names_vertices(const StartArguments& start) {
-  if (!start.seeds.file.empty()) return "--seeds-file";
+  if (!start.seeds.file.empty() && start.seeds.by == SeedsBy::id) return "--seeds-file";
   return start.graph.field_file().empty() ? "" : "--vfield";
 }
 

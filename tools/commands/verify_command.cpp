@@ -61,6 +61,7 @@ void print_agreement(const Start& start, const Relaxation& relaxation, const Pai
              name_of(graph_kind_names, start.mesh_graph.kind),
              counted(start.mesh_graph.graph.node_count(), "node", "nodes"),
              counted(relaxation.seeds.size(), "seed", "seeds"));
+  if (start.seed_fit) fmt::print("{}", describe(*start.seed_fit, start.input.facts));
   fmt::print("  {:<12}in every node of {}, {} of {}\n", "identical",
              counted(steps.greedy, "greedy step", "greedy steps"),
              counted(steps.macro, "macrostep", "macrosteps"),

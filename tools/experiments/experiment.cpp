@@ -57,12 +57,14 @@ std::string duration_text(double seconds) {
   return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
-void print_heading(const Input& input, const MeshGraph& mesh_graph, std::size_t seeds) {
-  const Graph& graph = mesh_graph.graph;
-  fmt::print("{}: {} graph, {}, {}, {}\n", input.file.string(),
-             name_of(graph_kind_names, mesh_graph.kind),
+void print_heading(const Start& start) {
+  const Graph& graph = start.mesh_graph.graph;
+  fmt::print("{}: {} graph, {}, {}, {}\n", start.input.file.string(),
+             name_of(graph_kind_names, start.mesh_graph.kind),
              counted(graph.node_count(), "node", "nodes"),
-             counted(graph.arc_count(), "arc", "arcs"), counted(seeds, "seed", "seeds"));
+             counted(graph.arc_count(), "arc", "arcs"),
+             counted(start.seeds.size(), "seed", "seeds"));
+  if (start.seed_fit) fmt::print("{}", describe(*start.seed_fit, start.input.facts));
   print_machine();
 }
 

@@ -42,8 +42,8 @@ ProgressCallback watcher(ProgressLine& progress, std::size_t seeds);
 /// "1.35 s", "24.5 ms".
 std::string duration_text(double seconds);
 
-/// A line that names mesh and graph, and the next.
-void print_heading(const Input& input, const MeshGraph& mesh_graph, std::size_t seeds);
+/// A line that names mesh and graph, one on seeds given by position, and the next.
+void print_heading(const Start& start);
 
 /// A line that names the machine.
 void print_machine();

@@ -86,6 +86,7 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["repairs"] = repairs_part(start.input.repairs);
   report["options"] = options_part(arguments, result);
   report["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  report["seed_fit"] = seed_fit_part(start.seed_fit);
   report["end"] = name_of(stop_reason_names, relaxation.stop_reason);
   report["interrupted"] = result.interrupted;
   report["resumed"] = resumed_part(result.resumed);

@@ -142,6 +142,7 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
           {"averaging", averaging_part(start.graph)},
           {"seeds", seeds},
           {"seeds_file", path_or_null(first.file)},
+          {"by", first.file.empty() ? Json(nullptr) : Json(name_of(seeds_by_names, first.by))},
           {"init", first.file.empty() ? Json(name_of(seed_init_names, first.init)) : Json(nullptr)},
           {"random_seed", first.random_seed},
           {"greedy", name_of(greedy_mode_names, options.greedy)},
@@ -153,6 +154,11 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
           {"improvement_seconds", std::isfinite(options.improvement_seconds)
                                       ? Json(options.improvement_seconds)
                                       : Json(nullptr)}};
+}
+
+Json seed_fit_part(const std::optional<PositionFit>& fit) {
+  if (!fit) return nullptr;
+  return {{"farthest", fit->farthest}, {"left_out", fit->left_out}};
 }
 
 Json frontier_part(EngineKind engine, Frontier frontier) {

@@ -37,6 +37,9 @@ Json options_part(const StartArguments& start, const RelaxationArguments& relaxa
 Json frontier_part(EngineKind engine, Frontier frontier);
 Json backend_part(EngineKind engine, Backend backend);
 
+/// Null where seeds are not given by position.
+Json seed_fit_part(const std::optional<PositionFit>& fit);
+
 /// "vertex" or "triangle".
 std::string_view kind_of(const MeshGraph& mesh_graph, std::uint32_t input_id);
 

@@ -14,13 +14,12 @@
 #include "core/mesh/mesh_topology.h"
 #include "core/mesh/properties.h"
 #include "core/remesh/region_surface.h"
-#include "core/seeds/seed_file.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
-#include "core/text/file_io.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
+#include "tools/run/seed_source.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
@@ -53,18 +52,17 @@ std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
   return places;
 }
 
-// `text` is that of the seeds file, if there is one.
-std::vector<NodeId> first_seeds(const SeedArguments& arguments, const std::string& text,
-                                const Start& start, std::span<const SeedPlace> places,
-                                std::span<const TangentSpace> field, const Components& components,
-                                Scheduler& scheduler) {
-  if (!arguments.file.empty()) {
-    return parse_seeds(text, arguments.file.string(), start.mesh_graph, components);
-  }
+// `source` is there where a file gives them.
+GivenSeeds first_seeds(const SeedArguments& arguments, const std::optional<SeedSource>& source,
+                       const Start& start, std::span<const SeedPlace> places,
+                       std::span<const TangentSpace> field, const Components& components,
+                       Scheduler& scheduler) {
+  if (source) return source->find(start.mesh_graph, components);
   SchedulerRuntime runtime(scheduler);
-  return choose_first_seeds(start.input.mesh(), places, start.mesh_graph, components,
-                            {arguments.init, arguments.count, arguments.random_seed, field},
-                            runtime);
+  return {
+      choose_first_seeds(start.input.mesh(), places, start.mesh_graph, components,
+                         {arguments.init, arguments.count, arguments.random_seed, field}, runtime),
+      {}};
 }
 
 }  // namespace
@@ -139,10 +137,11 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   progress.stage("reading " + arguments.mesh.string());
   LoadedInput loaded =
       load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
-  const std::string seeds_text = seeds.file.empty() ? "" : read_file(seeds.file);
-  start.memory_estimate = estimate_memory(arguments.graph, loaded.input, loaded.edges,
-                                          seeds.file.empty() ? seeds.count : most_seeds(seeds_text),
-                                          purpose, scheduler);
+  std::optional<SeedSource> source;
+  if (!seeds.file.empty()) source.emplace(seeds);
+  start.memory_estimate =
+      estimate_memory(arguments.graph, loaded.input, loaded.edges,
+                      source ? source->most() : seeds.count, purpose, scheduler);
   announce_memory(loaded.input.file.string(), start.memory_estimate);
 
   progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
@@ -164,8 +163,10 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   const Stopwatch choosing;
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
-  start.seeds =
-      first_seeds(seeds, seeds_text, start, places, options.vertex_space, components, scheduler);
+  GivenSeeds given =
+      first_seeds(seeds, source, start, places, options.vertex_space, components, scheduler);
+  start.seeds = std::move(given.nodes);
+  start.seed_fit = given.fit;
   start.seconds.seeds += choosing.seconds();
   return start;
 }

@@ -58,7 +58,8 @@ struct Start {
   /// be kept.
   std::optional<InputSurface> surface;
   std::vector<NodeId> seeds;
-  std::uint64_t memory_estimate = 0;  ///< bytes, of the whole run
+  std::optional<PositionFit> seed_fit;  ///< of seeds that a file gives by position
+  std::uint64_t memory_estimate = 0;    ///< bytes, of the whole run
 
   struct Seconds {
     double load = 0;   ///< reading and checking the mesh

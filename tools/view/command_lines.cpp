@@ -48,6 +48,7 @@ void add_seeds(CommandLine& line, const SteppedTessellation& t,
   const std::filesystem::path file = t.has_edited_seeds() ? output / first_seeds_name : seeds.file;
   if (!file.empty()) {
     line.add("--seeds-file", file.string());
+    if (!t.has_edited_seeds()) line.add("--by", seeds.by, SeedsBy::id, seeds_by_names);
     line.add("--greedy", name_of(greedy_mode_names, t.limits().greedy));
     return;
   }

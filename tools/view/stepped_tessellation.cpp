@@ -8,13 +8,12 @@
 
 #include "core/mesh/mesh_topology.h"
 #include "core/remesh/region_surface.h"
-#include "core/seeds/seed_file.h"
 #include "core/start/first_seeds.h"
-#include "core/text/file_io.h"
 #include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/run/measured_run.h"
+#include "tools/run/seed_source.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
@@ -97,7 +96,7 @@ std::vector<NodeId> SteppedTessellation::choose(const SessionOptions& options, c
   const MeshGraph& mesh_graph = made != nullptr ? made->mesh_graph : start_.mesh_graph;
   const Components& components = made != nullptr ? made->components : components_;
   if (!seeds.file.empty()) {
-    return parse_seeds(read_file(seeds.file), seeds.file.string(), mesh_graph, components);
+    return SeedSource(seeds).find(mesh_graph, components).nodes;
   }
   const Mesh& mesh = start_.input.mesh();
   const FirstSeedOptions choice{seeds.init, seeds.count, seeds.random_seed,

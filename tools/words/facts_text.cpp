@@ -112,6 +112,19 @@ std::string describe(const Properties& carried) {
   return text;
 }
 
+std::string describe(const PositionFit& fit, const MeshFacts& facts) {
+  std::string text =
+      fmt::format("  {:<12}by position: up to {:.3g} from their nodes", "", fit.farthest);
+  if (facts.bounding_diagonal > 0) {
+    text += fmt::format(", {:.3g}% of the mesh's diagonal",
+                        100 * fit.farthest / facts.bounding_diagonal);
+  }
+  if (fit.left_out > 0) {
+    text += fmt::format("; {} left out, nearest to the node of another", grouped(fit.left_out));
+  }
+  return text + "\n";
+}
+
 std::string describe(const MeshTopology& topology) {
   std::string text = counted(topology.total().boundary_loops, "boundary loop", "boundary loops");
   if (topology.is_manifold()) return text + ", manifold";

@@ -5,6 +5,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/seeds/nearest_nodes.h"
 #include "geolloyd/repair.h"
 
 namespace geolloyd {
@@ -27,6 +28,9 @@ std::string grouped(std::uint64_t number);
 
 /// "1 edge", "2,000 edges".
 std::string counted(std::uint64_t number, const char* singular, const char* plural);
+
+/// How far seeds given by position are from their nodes, and how many have none: a line.
+std::string describe(const PositionFit& fit, const MeshFacts& facts);
 
 /// Boundary loops, and whether it is a manifold.
 std::string describe(const MeshTopology& topology);

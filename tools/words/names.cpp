@@ -59,6 +59,11 @@ const std::vector<Named<SeedInit>> seed_init_names = {
     {"coarse", SeedInit::coarse},
 };
 
+const std::vector<Named<SeedsBy>> seeds_by_names = {
+    {"id", SeedsBy::id},
+    {"position", SeedsBy::position},
+};
+
 const std::vector<Named<StopReason>> stop_reason_names = {
     {"converged", StopReason::converged},
     {"interrupted", StopReason::interrupted},

@@ -8,6 +8,7 @@
 #include "core/graph/arc_length.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
+#include "core/seeds/seed_file.h"
 #include "core/seeds/seeds.h"
 #include "parallel/engine/parallel_engine.h"
 #include "parallel/threads/scheduler.h"
@@ -30,6 +31,7 @@ extern const std::vector<Named<GreedyMode>> greedy_mode_names;
 /// Those of --greedy: nothing leaves the choice to the program.
 extern const std::vector<Named<std::optional<GreedyMode>>> greedy_choice_names;
 extern const std::vector<Named<SeedInit>> seed_init_names;
+extern const std::vector<Named<SeedsBy>> seeds_by_names;
 extern const std::vector<Named<StopReason>> stop_reason_names;
 extern const std::vector<Named<Frontier>> frontier_names;
 extern const std::vector<Named<Backend>> backend_names;

@@ -1,0 +1,33 @@
+#include "tools/run/seed_source.h"
+
+#include <utility>
+
+#include "core/formats/mesh_formats.h"
+#include "core/text/file_io.h"
+#include "geolloyd/errors.h"
+#include "tools/run/input.h"
+
+namespace geolloyd {
+
+SeedSource::SeedSource(const SeedArguments& arguments)
+    : name_(arguments.file.string()), by_(arguments.by), is_mesh_(has_mesh_name(arguments.file)) {
+  if (!is_mesh_) {
+    text_ = read_file(arguments.file);
+    return;
+  }
+  if (by_ != SeedsBy::position) {
+    throw InvalidInput(name_ + ": a mesh has no ids of seeds: give --by position, too");
+  }
+  positions_ = std::move(read_within_limits(arguments.file).mesh.positions);
+}
+
+std::size_t SeedSource::most() const {
+  return is_mesh_ ? positions_.size() : most_seeds(text_);
+}
+
+GivenSeeds SeedSource::find(const MeshGraph& mesh_graph, const Components& components) const {
+  if (is_mesh_) return seeds_at(positions_, name_, mesh_graph, components);
+  return parse_seeds(text_, name_, by_, mesh_graph, components);
+}
+
+}  // namespace geolloyd
