@@ -18,7 +18,15 @@ class ScriptHabits : public Program {
             "remesh " + mesh + " -n 12 -o " + in("remesh.ply"),
             "relax " + mesh + " -k 8 -o " + in("result"),
             "repair " + mesh + " -o " + in("repaired.ply"),
-            "ground-truth " + mesh + " -k 8"};
+            "ground-truth " + mesh + " -k 8",
+            "verify " + mesh + " -k 8",
+            "verify " + mesh + " -n 12",
+            "compare " + mesh + " -k 8 --turns 1 --threads 1",
+            "profile " + mesh + " -k 8",
+            "batch " + mesh + " -k 8 --batches 1 --graphs vertex --greedy off",
+            "remesh-all " + mesh + " -n 12 -o " + in("all"),
+            "generate torus -t 500 -o " + in("t.ply"),
+            "subdivide " + mesh + " -s midpoint -o " + in("s.ply")};
   }
 };
 
@@ -44,12 +52,35 @@ TEST_F(ScriptHabits, JsonIsTheReport) {
   EXPECT_EQ(found, expected);
 }
 
+// Of a folder's file and the standard output.
+TEST_F(ScriptHabits, JsonIsWhatTheFolderHolds) {
+  const std::string mesh = mesh_.string();
+  const std::string folder = " --no-plot --json -o " + in("folder");
+  for (const auto& [command, options] : std::vector<std::pair<std::string, std::string>>{
+           {"compare", " -k 8 --turns 1 --threads 1"},
+           {"profile", " -k 8"},
+           {"batch", " -k 8 --batches 1 --graphs vertex --greedy off"}}) {
+    std::string line = command;
+    const Outcome outcome = geolloyd_with(line.append(" ").append(mesh).append(options) + folder);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(outcome.text, read_file(out("folder") / (command + ".json"))) << command;
+  }
+}
+
+TEST_F(ScriptHabits, JsonOfMeshesThatFailIsPrintedAllTheSame) {
+  const Outcome outcome =
+      run_shell("(" GEOLLOYD_PROGRAM " remesh-all " + mesh_.string() + " " + in("missing.ply") +
+                " -n 12 --json -o " + in("all") + " 2>/dev/null)");
+  EXPECT_EQ(outcome.status, 2);
+  const auto json = nlohmann::json::parse(outcome.text, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.text;
+  EXPECT_EQ(json["done"], 1);
+  EXPECT_EQ(json["failed"], 1);
+}
+
 TEST_F(ScriptHabits, QuietPrintsErrorsOnly) {
   std::vector<std::string> commands = commands_with_figures();
   const std::string mesh = mesh_.string();
-  commands.push_back("verify " + mesh + " -k 8");
-  commands.push_back("generate torus -t 500 -o " + in("t.ply"));
-  commands.push_back("subdivide " + mesh + " -s midpoint -o " + in("s.ply"));
   commands.push_back("render " + mesh + " --size 64 -o " + in("p.png"));
   for (const std::string& command : commands) {
     const Outcome outcome = geolloyd_with(command + " --quiet");

@@ -13,7 +13,7 @@ struct ExperimentOutput {
   bool no_plot = false;
 };
 
-/// Adds --output and --no-plot to the command that writes NAME.json and NAME.csv.
+/// Adds --output, --json and --no-plot to the command that writes NAME.json and NAME.csv.
 void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
 
 }  // namespace geolloyd

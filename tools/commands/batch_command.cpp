@@ -239,12 +239,13 @@ void run_batch(BatchArguments& arguments) {
   const auto save = [&](const std::vector<BatchRow>& rows, bool is_complete) {
     Json json = Json::array();
     for (const BatchRow& row : rows) json.push_back(row_json(row));
-    save_result(arguments.output, "batch", json,
-                result_of(arguments, input, scheduler.threads(), json, is_complete));
+    const Json result = result_of(arguments, input, scheduler.threads(), json, is_complete);
+    save_result(arguments.output, "batch", json, result);
+    return result;
   };
   const std::vector<BatchRow> rows =
       batches.run([&](const std::vector<BatchRow>& so_far) { save(so_far, false); });
-  save(rows, !interrupted());
+  const Json result = save(rows, !interrupted());
   progress.clear();
   fmt::print("{}: {}, {}\n", input.file.string(),
              counted(input.facts.vertices, "vertex", "vertices"),
@@ -252,7 +253,7 @@ void run_batch(BatchArguments& arguments) {
   print_machine();
   fmt::print("{}\nmeans over batches, {} engine\n", table_of(rows),
              name_of(engine_names, arguments.engine.kind));
-  finish_experiment(arguments.output, "batch");
+  finish_experiment(arguments.output, "batch", result);
   if (interrupted()) throw InterruptedExit{};
 }
 

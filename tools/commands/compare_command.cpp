@@ -78,6 +78,7 @@ Json result_of(const CompareArguments& a, const Start& start, const Comparison& 
   result["options"] = options_part(a.start, a.relaxation, start.seeds.size());
   result["interrupted"] = interrupted();
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  result["seed_fit"] = seed_fit_part(start.seed_fit);
   result["steps"] = steps_part(comparison.steps);
   result["runs"] = rows;
   return result;
@@ -100,12 +101,13 @@ void run_compare(CompareArguments& arguments) {
       compare(contenders_of(arguments), arguments.turns, start.mesh_graph.graph, start.seeds,
               relaxation_options(arguments.start.seeds, arguments.relaxation), progress);
   progress.clear();
+  const Json rows = rows_of(comparison);
+  const Json result = result_of(arguments, start, comparison, rows);
   if (!comparison.contenders.empty()) {
-    const Json rows = rows_of(comparison);
-    save_result(arguments.output, "compare", rows, result_of(arguments, start, comparison, rows));
+    save_result(arguments.output, "compare", rows, result);
     print_comparison(start, comparison);
   }
-  finish_experiment(arguments.output, "compare");
+  finish_experiment(arguments.output, "compare", result);
   for (const Contender& c : comparison.contenders) {
     if (!comparison.is_equal(c)) {
       throw std::runtime_error(title_of(c) +

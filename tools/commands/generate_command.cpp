@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -7,11 +5,12 @@
 #include "core/formats/mesh_io.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
+#include "tools/report/written_mesh.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
-#include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
@@ -42,6 +41,7 @@ void add_generate_command(CLI::App& program) {
       command->add_option("--random-seed", arguments->random_seed, "Number that varies the shape"),
       0)
       ->capture_default_str();
+  add_json_option(*command);
   command->callback([arguments] {
     check_mesh_target(arguments->output, {});
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
@@ -49,8 +49,7 @@ void add_generate_command(CLI::App& program) {
     }
     const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
     write_mesh(arguments->output, mesh);
-    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
-               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+    print_written_mesh("generate", arguments->output, mesh);
   });
 }
 

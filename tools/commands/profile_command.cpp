@@ -108,12 +108,14 @@ Json json_of(const EngineProfile& profile, const ProfileArguments& a) {
           {"steps", step_rows(relaxation)}};
 }
 
-void write_profiles(const ProfileArguments& arguments, const Start& start,
+// What --json prints, written, too.
+Json write_profiles(const ProfileArguments& arguments, const Start& start,
                     const std::vector<EngineProfile>& profiles) {
   Json result = begin_result("profile", start.input);
   result["options"] = options_part(arguments.start, arguments.relaxation, start.seeds.size());
   result["interrupted"] = interrupted();
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  result["seed_fit"] = seed_fit_part(start.seed_fit);
   result["profiles"] = Json::array();
   Json rows = Json::array();
   for (const EngineProfile& profile : profiles) {
@@ -124,6 +126,7 @@ void write_profiles(const ProfileArguments& arguments, const Start& start,
     }
   }
   save_result(arguments.output, "profile", rows, result);
+  return result;
 }
 
 std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const Start& start,
@@ -153,9 +156,9 @@ void run_profile(ProfileArguments& arguments) {
   prepare_output(arguments.output, "profile", arguments.start);
   const auto profiles = profile_engines(arguments, start, scheduler, progress);
   progress.clear();
-  write_profiles(arguments, start, profiles);
+  const Json result = write_profiles(arguments, start, profiles);
   print_profiles(start, profiles);
-  finish_experiment(arguments.output, "profile");
+  finish_experiment(arguments.output, "profile", result);
   if (interrupted()) throw InterruptedExit{};
   if (profiles.front().run.relaxation.fingerprint != profiles.back().run.relaxation.fingerprint) {
     throw std::runtime_error(

@@ -22,6 +22,7 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
@@ -34,6 +35,7 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
+#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 
@@ -264,6 +266,7 @@ void run_remesh_all(const RemeshAllArguments& arguments) {
     RemeshingAll all(arguments, tasks);
     const RemeshRecord& record = all.run();
     failed = record.failed();
+    if (wants_json()) print_json(json_text(record.result()));
     fmt::print("{}", record.summary());
   }
   if (interrupted()) throw InterruptedExit{};
@@ -294,6 +297,7 @@ void add_remesh_all_command(CLI::App& program) {
   one_of(command->add_option_function<std::string>(
              "--format", set_format, "Format of the remeshes (default: that of each input)"),
          written_format_names);
+  add_json_option(*command);
   command->add_flag("--reports", a->has_reports,
                     "For each remesh a report, NAME.json, as remesh --report has it");
   add_adapt_options(*command, a->each.sizing);

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,12 +6,13 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/subdivide.h"
 #include "tools/cli/choice_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
+#include "tools/report/written_mesh.h"
 #include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
-#include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
@@ -62,6 +61,7 @@ void add_subdivide_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->output, "File to write: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
+  add_json_option(*command);
   command->callback([arguments] {
     check_mesh_target(arguments->output, arguments->mesh);
     Mesh mesh = read_within_limits(arguments->mesh).mesh;
@@ -70,8 +70,7 @@ void add_subdivide_command(CLI::App& program) {
       mesh = scheme.subdivide(mesh);
     }
     write_mesh(arguments->output, mesh);
-    fmt::print("{}: {} vertices, {} triangles\n", arguments->output.string(),
-               grouped(mesh.vertex_count()), grouped(mesh.triangle_count()));
+    print_written_mesh("subdivide", arguments->output, mesh);
   });
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "core/surface/paired_surface_engine.h"
 #include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
+#include "tools/cli/summary_options.h"
 #include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
@@ -19,6 +21,7 @@
 #include "tools/run/surface_remesh.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
+#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/names.h"
 
@@ -39,6 +42,48 @@ void print_times(double reference, double parallel, const Scheduler& scheduler) 
   fmt::print("  {:<12}reference {:.3f} s, parallel {:.3f} s with {} of {}: {:.1f} times as fast\n",
              "time", reference, parallel, counted(scheduler.threads(), "thread", "threads"),
              name_of(backend_names, scheduler.backend()), reference / parallel);
+}
+
+Json seconds_part(double reference, double parallel) {
+  return {{"reference", reference}, {"parallel", parallel}};
+}
+
+// The beginning of what --json prints. There is nothing else than agreement to tell of.
+Json begin_agreement(const Input& input, const Scheduler& scheduler, bool was_interrupted,
+                     std::uint64_t fingerprint) {
+  Json result = begin_result("verify", input);
+  result["equal"] = true;
+  result["interrupted"] = was_interrupted;
+  result["threads"] = scheduler.threads();
+  result["backend"] = name_of(backend_names, scheduler.backend());
+  result["fingerprint"] = fingerprint_text(fingerprint);
+  return result;
+}
+
+Json agreement(const VerifyArguments& a, const LoadedInput& loaded, const SurfaceRemesh& remesh,
+               const SurfaceComparison& comparison, const Scheduler& scheduler) {
+  Json result = begin_agreement(loaded.input, scheduler, remesh.interrupted, remesh.fingerprint);
+  result["options"] = {{"vertices", a.vertices}};
+  result["vertices"] = remesh.mesh.vertex_count();
+  result["compared"] = {{"labels", comparison.labels},
+                        {"cells", comparison.cells},
+                        {"evaluations", comparison.evaluations},
+                        {"meshes", comparison.meshes}};
+  result["seconds"] = seconds_part(comparison.expected_seconds, comparison.tested_seconds);
+  return result;
+}
+
+Json agreement(const VerifyArguments& a, const Start& start, const Relaxation& relaxation,
+               const PairedEngine& pair, const Scheduler& scheduler) {
+  Json result =
+      begin_agreement(start.input, scheduler, relaxation.stop_reason == StopReason::interrupted,
+                      relaxation.fingerprint);
+  result["options"] = options_part(a.start, a.relaxation, start.seeds.size());
+  result["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  result["seed_fit"] = seed_fit_part(start.seed_fit);
+  result["steps"] = steps_part(count_steps(relaxation));
+  result["seconds"] = seconds_part(pair.expected_seconds(), pair.tested_seconds());
+  return result;
 }
 
 void print_agreement(const LoadedInput& loaded, const SurfaceRemesh& remesh,
@@ -105,6 +150,7 @@ void verify_relaxation(const VerifyArguments& a) {
     throw std::runtime_error(describe(difference, start.mesh_graph));
   }
   progress.clear();
+  if (wants_json()) print_json(json_text(agreement(a, start, relaxation, pair, scheduler)));
   print_agreement(start, relaxation, pair, scheduler);
   if (relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
 }
@@ -135,6 +181,7 @@ void verify_remesh(const VerifyArguments& a) {
     throw std::runtime_error(std::string("the engines differ ") + difference.what());
   }
   progress.clear();
+  if (wants_json()) print_json(json_text(agreement(a, loaded, remesh, comparison, scheduler)));
   print_agreement(loaded, remesh, comparison);
   print_times(comparison.expected_seconds, comparison.tested_seconds, scheduler);
   if (remesh.interrupted) throw InterruptedExit{};
@@ -167,6 +214,7 @@ void add_verify_command(CLI::App& program) {
       "verify", "Run both engines side by side and compare them at every step, node by node");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_mesh_argument(*command, arguments->start);
+  add_json_option(*command);
   add_vertices_option(*command, arguments->vertices,
                       "Verify a remesh with so many vertices instead of a relaxation");
   add_seed_options(*command, arguments->start.seeds);

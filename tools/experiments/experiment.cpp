@@ -12,6 +12,7 @@
 #include "tools/files/output_folder.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
+#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -36,7 +37,9 @@ void save_result(const ExperimentOutput& output, const std::string& name, const 
   files.commit();
 }
 
-void finish_experiment(const ExperimentOutput& output, const std::string& name) {
+void finish_experiment(const ExperimentOutput& output, const std::string& name,
+                       const Json& result) {
+  if (wants_json()) print_json(json_text(result));
   if (interrupted()) fmt::print("\nINTERRUPTED: this is only a part\n");
   const std::filesystem::path json = output.folder / (name + ".json");
   std::error_code error;

@@ -23,8 +23,9 @@ void prepare_output(const ExperimentOutput& output, const std::string& name,
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
                  const Json& result);
 
-/// Says what was written and draws it. Says so, too, if an interrupt came.
-void finish_experiment(const ExperimentOutput& output, const std::string& name);
+/// Prints the result where --json asks for it, says what was written and draws it. Says so, too, if
+/// an interrupt came.
+void finish_experiment(const ExperimentOutput& output, const std::string& name, const Json& result);
 
 /// Leaves the first of equals.
 template <class Value>

@@ -54,6 +54,7 @@ Json result_of(const StartArguments& arguments, const Start& start, const Judged
   Json result = begin_result("ground-truth", start.input);
   result["options"] = options_part(arguments, {}, start.seeds.size());
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
+  result["seed_fit"] = seed_fit_part(start.seed_fit);
   result["ground_truth"] = ground_truth_part(judged.truth);
   result["threads"] = judged.threads;
   result["seconds"] = judged.seconds;

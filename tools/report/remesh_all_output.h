@@ -40,12 +40,13 @@ class RemeshRecord {
 
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
+  /// What remesh-all.json holds.
+  [[nodiscard]] Json result() const;
   /// For people: what came of it, and each failure in a line.
   [[nodiscard]] std::string summary() const;
 
  private:
   void add_row(std::size_t task, Json row);
-  [[nodiscard]] Json result() const;
 
   const std::vector<RemeshTask>& tasks_;
   std::filesystem::path folder_;

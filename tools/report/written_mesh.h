@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/mesh/mesh.h"
+
+namespace geolloyd {
+
+/// What the commands print that write a mesh and measure nothing: its size.
+void print_written_mesh(const std::string& command, const std::filesystem::path& file,
+                        const Mesh& mesh);
+
+}  // namespace geolloyd
