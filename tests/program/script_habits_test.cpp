@@ -96,6 +96,16 @@ TEST_F(ScriptHabits, JsonThatCannotBePrintedIsAnError) {
   expect_complaint(outcome, "standard output: cannot write: No space left on device");
 }
 
+TEST_F(ScriptHabits, AVtpFileHasANameThatProgramsKnow) {
+  const std::string relax = "relax " + mesh_.string() + " -k 8 -o " + in("result") + " --vtp ";
+  for (const char* name : {"regions", "regions.ply", "regions.vtk"}) {
+    expect_complaint(geolloyd_with(relax + in(name)), "give a name that ends with .vtp");
+  }
+  expect_complaint(geolloyd_with(relax + in("nowhere/regions.vtp")), "regions.vtp: ");
+  EXPECT_EQ(geolloyd_with(relax + in("regions.vtp")).status, 0);
+  EXPECT_NE(read_file(in("regions.vtp")).find("Name=\"distance\""), std::string::npos);
+}
+
 // The table in tools/commands/README.md; 130 is in interruption_test.cpp.
 TEST_F(ScriptHabits, ExitCodesAreThoseOfTheTable) {
   const std::string mesh = mesh_.string();

@@ -109,6 +109,7 @@ struct RelaxArguments {
   std::filesystem::path picture_file;                             ///< empty: none
   std::filesystem::path frames;                                   ///< a folder; empty: none
   std::filesystem::path page_file;                                ///< empty: none
+  std::filesystem::path vtp_file;                                 ///< empty: none
   bool ground_truth = false;
   double checkpoint_seconds = 60;  ///< between two of them
   bool resume = false;

@@ -19,6 +19,7 @@
 #include "tools/report/remesh_output.h"
 #include "tools/report/report.h"
 #include "tools/report/report_parts.h"
+#include "tools/report/vtp_output.h"
 #include "tools/run/carrying.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
@@ -124,8 +125,8 @@ void print_files(const RelaxArguments& arguments, const std::vector<std::string>
   if (!removed.empty()) {
     fmt::print("  {:<12}{}/:{}, of an earlier run\n", "removed", folder, listed(removed));
   }
-  if (!arguments.picture_file.empty()) {
-    fmt::print("  {:<12}{}\n", "", arguments.picture_file.string());
+  for (const std::filesystem::path& file : {arguments.vtp_file, arguments.picture_file}) {
+    if (!file.empty()) fmt::print("  {:<12}{}\n", "", file.string());
   }
   if (!arguments.frames.empty()) {
     fmt::print("  {:<12}{}/: {}\n", "", arguments.frames.string(),
@@ -240,8 +241,9 @@ void run_relax(const RelaxArguments& arguments) {
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
   StartArguments wanted = arguments.start;
-  wanted.has_properties = wanted.has_properties &&
-                          (arguments.makes_remesh() || arguments.writes(RelaxOutput::tessellation));
+  wanted.has_properties =
+      wanted.has_properties && (arguments.makes_remesh() || !arguments.vtp_file.empty() ||
+                                arguments.writes(RelaxOutput::tessellation));
   const Start start = prepare(wanted, purpose_of(arguments), scheduler, progress);
   warn_of_few_nodes(start, progress);
   ResumableRelaxation relaxation(arguments, start);
@@ -272,7 +274,12 @@ void run_relax(const RelaxArguments& arguments) {
   }
   const std::vector<std::string> removed = files.commit();
   if (!result.interrupted) relaxation.forget();
-  if (!arguments.picture_file.empty()) {  // whatever happens to it, the results are there
+  // Whatever happens to the other files, the results are there.
+  if (!arguments.vtp_file.empty()) {
+    progress.stage("writing " + arguments.vtp_file.string());
+    write_vtp(arguments.vtp_file, start, result.relaxation.partition);
+  }
+  if (!arguments.picture_file.empty()) {
     progress.stage("drawing " + arguments.picture_file.string());
     write_picture(arguments.picture_file, arguments.picture, start, result.relaxation, scheduler);
   }
@@ -308,6 +315,11 @@ void add_relax_command(CLI::App& program) {
   add_choice_list(*command, "--only", arguments->only, relax_output_names,
                   "Write only these of them, separated by commas, and leave out what\n"
                   "only the others need. Those of an earlier run go");
+  command
+      ->add_option("--vtp", arguments->vtp_file,
+                   "VTP file, for ParaView and VTK: the mesh with region and distance to\n"
+                   "the seed as arrays")
+      ->type_name("FILE");
   command->add_option("--picture", arguments->picture_file, "PNG file for a picture of the result")
       ->type_name("FILE");
   folder_name(command->add_option("--frames", arguments->frames,

@@ -16,6 +16,7 @@
 #include "tools/render/painters.h"
 #include "tools/render/picture.h"
 #include "tools/report/report_parts.h"
+#include "tools/report/vtp_output.h"
 #include "tools/run/checkpoint.h"
 #include "tools/run/frames.h"
 
@@ -85,6 +86,10 @@ void prepare_output(const RelaxArguments& arguments) {
   if (!arguments.page_file.empty()) {
     check_target(arguments.page_file, others);
     others.push_back(arguments.page_file);
+  }
+  if (!arguments.vtp_file.empty()) {
+    check_vtp_target(arguments.vtp_file, others);
+    others.push_back(arguments.vtp_file);
   }
   if (arguments.picture_file.empty()) return;
   check_target(arguments.picture_file, others);
