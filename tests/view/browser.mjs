@@ -1,12 +1,9 @@
 // What tests in a browser share.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-
-const require = createRequire(new URL("../../tools/view/app/package.json", import.meta.url));
-const { chromium } = require("playwright-core");
+import { launchBrowser } from "../../tools/view/app/drive.mjs";
 
 export const program = process.argv[2];
 
@@ -16,10 +13,7 @@ export function geolloyd(...words) {
 
 export async function withBrowser(test) {
   const folder = mkdtempSync(join(tmpdir(), "geolloyd-browser-"));
-  const browser = await chromium.launch({
-    executablePath: process.env.GEOLLOYD_BROWSER ?? "/usr/bin/chromium",
-    args: ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader"],
-  });
+  const browser = await launchBrowser();
   try {
     await test(browser, folder);
   } finally {
@@ -47,10 +41,6 @@ export function complaintsOf(page) {
     if (message.type() === "error") complaints.push(message.text());
   });
   return complaints;
-}
-
-export function whenDrawn(page) {
-  return page.waitForFunction(() => Number(document.querySelector("canvas").dataset.drawn ?? 0) > 0, null, { timeout: 60_000 });
 }
 
 export function framesDrawn(page) {

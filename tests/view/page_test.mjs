@@ -2,7 +2,8 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { coloursShown, complaintsOf, expect, framesDrawn, geolloyd, report, unreachableControls, whenDrawn, withBrowser } from "./browser.mjs";
+import { drag, seedInSight, whenDrawn } from "../../tools/view/app/drive.mjs";
+import { coloursShown, complaintsOf, expect, framesDrawn, geolloyd, report, unreachableControls, withBrowser } from "./browser.mjs";
 
 const began = Date.now();
 
@@ -30,16 +31,6 @@ function close(shares, others, by, what) {
 
 const figures = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#figures dt")]
   .map((dt) => [dt.textContent, dt.nextElementSibling.textContent])));
-
-// A region whose seed is in sight, and where.
-const seedInSight = (page) => page.evaluate(() => {
-  const { viewer, seedAt } = window.geolloyd;
-  for (let region = 0; region < viewer.seeds.count; ++region) {
-    const place = seedAt(region);
-    if (viewer.at(place.x, place.y)?.region === region) return { region, ...place };
-  }
-  return null;
-});
 
 // Red, green and blue of what the canvas shows there.
 const pixelAt = (page, x, y) => page.evaluate(async (place) => {
@@ -84,10 +75,7 @@ async function testRegions(browser, folder) {
   expect((await page.textContent("#status")).includes(`region ${seed.region}`), "the region is said aloud");
 
   // A drag turns the mesh, and picks nothing.
-  await page.mouse.move(300, 300);
-  await page.mouse.down();
-  await page.mouse.move(380, 310, { steps: 4 });
-  await page.mouse.up();
+  await drag(page, { x: 300, y: 300 }, { x: 380, y: 310 });
   expect((await figures(page)).region === String(seed.region), "a drag is no click");
   const moved = await page.evaluate((region) => window.geolloyd.seedAt(region), seed.region);
   expect(Math.hypot(moved.x - seed.x, moved.y - seed.y) > 5, "the mesh has turned");

@@ -1,26 +1,11 @@
 // A session in a browser, with a pointer and the program behind it: what is done there is what the command line does.
-import { spawn } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
-import { complaintsOf, expect, geolloyd, program, report, unreachableControls, whenDrawn, withBrowser } from "./browser.mjs";
+import { drag, emptyPlace, fingerprintIn, isIdle, press, seedInSight, startView, stateOf, until, whenDrawn, wordsOf } from "../../tools/view/app/drive.mjs";
+import { complaintsOf, expect, geolloyd, program, report, unreachableControls, withBrowser } from "./browser.mjs";
 
 const began = Date.now();
-
-// Resolves once the address is there.
-function startView(...words) {
-  const child = spawn(program, ["view", "--no-open", ...words]);
-  const ended = new Promise((done) => child.on("exit", (status) => done(status)));
-  let text = "";
-  return new Promise((done, fail) => {
-    child.stderr.on("data", (data) => fail(new Error(String(data))));
-    child.stdout.on("data", (data) => {
-      text += data;
-      const address = text.match(/http:\/\/127\.0\.0\.1:\d+\/#[0-9a-f]{32}/);
-      if (address && text.includes("Ctrl-C")) done({ child, ended, address: address[0] });
-    });
-  });
-}
 
 async function open(browser, address) {
   const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
@@ -34,60 +19,11 @@ async function open(browser, address) {
   return { page, complaints, context };
 }
 
-const ask = (address) => {
-  const [origin, token] = address.split("/#");
-  return fetch(`${origin}/api/state`, { headers: { "X-Geolloyd-Token": token } }).then((response) => response.json());
-};
-
-async function until(address, holds, what) {
-  for (const end = Date.now() + 60_000; Date.now() < end;) {
-    const state = await ask(address);
-    if (holds(state)) return state;
-    await new Promise((done) => setTimeout(done, 20));
-  }
-  throw new Error(`never came: ${what}`);
-}
-
-const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
-const isIdle = (state) => !state.running && state.task === null;
-
 // What the command line prints as fingerprint.
-function fingerprintOf(line, output) {
-  const words = line.split(" ").slice(1);
-  words[words.indexOf("--output") + 1] = output;
-  return geolloyd(...words).match(/fingerprint +([0-9a-f]{16})/)[1];
-}
-
-// A place of the canvas at which the mesh is, and no seed near by.
-const emptyPlace = (page) => page.evaluate(() => {
-  const { viewer, seedAt } = window.geolloyd;
-  const { width, height } = viewer.stage.canvas.getBoundingClientRect();
-  for (let y = height / 4; y < height; y += 7) {
-    for (let x = width / 4; x < width; x += 7) {
-      const hit = viewer.at(x, y);
-      if (!hit || hit.region === null) continue;
-      let nearest = Infinity;
-      for (let region = 0; region < viewer.seeds.count; ++region) {
-        const seed = seedAt(region);
-        nearest = Math.min(nearest, Math.hypot(seed.x - x, seed.y - y));
-      }
-      if (nearest > 30) return { x, y, node: hit.node };
-    }
-  }
-  return null;
-});
-
-const seedInSight = (page) => page.evaluate(() => {
-  const { viewer, seedAt } = window.geolloyd;
-  for (let region = 0; region < viewer.seeds.count; ++region) {
-    const place = seedAt(region);
-    if (viewer.at(place.x, place.y)?.region === region) return { region, ...place };
-  }
-  return null;
-});
+const fingerprintOf = (line, output) => fingerprintIn(geolloyd(...wordsOf(line, output)));
 
 async function testSeeds(page, address) {
-  const { seeds } = await ask(address);
+  const { seeds } = await stateOf(address);
   const place = await emptyPlace(page);
   await page.getByRole("radio", { name: "adds a seed" }).check();
   await page.mouse.click(place.x, place.y);
@@ -97,12 +33,8 @@ async function testSeeds(page, address) {
   await page.waitForFunction((count) => window.geolloyd.viewer.seeds.count === count, seeds + 1);
   const seed = await seedInSight(page);
   const target = await emptyPlace(page);
-  const before = await ask(address);
-  await page.mouse.move(seed.x, seed.y);
-  await page.mouse.down();
-  await page.mouse.move((seed.x + target.x) / 2, (seed.y + target.y) / 2, { steps: 3 });
-  await page.mouse.move(target.x, target.y, { steps: 3 });
-  await page.mouse.up();
+  const before = await stateOf(address);
+  await drag(page, seed, target);
   const after = await until(address, (state) => state.layers.regions > before.layers.regions, "the drag");
   expect(after.seeds === seeds + 1, "a drag adds no seed");
   await page.waitForFunction(({ region, x, y }) => {
@@ -123,7 +55,7 @@ async function testRelaxation(page, address, folder) {
   await press(page, "Run");
   await page.getByRole("button", { name: "Pause", exact: true }).click({ timeout: 1000 }).catch(() => {});  // if it still runs
   await until(address, isIdle, "a pause");
-  if ((await ask(address)).phase !== "done") await press(page, "Run");
+  if ((await stateOf(address)).phase !== "done") await press(page, "Run");
   await until(address, (state) => state.phase === "done" && isIdle(state), "the end");
   await page.getByRole("button", { name: "Save result", exact: true }).click();
   const done = await until(address, (state) => state.message?.kind === "done", "saved results");
@@ -160,12 +92,12 @@ async function testWindows(browser, page, address) {
     .some((dt) => dt.textContent === "steps" && dt.nextElementSibling.textContent === "1"));
   await stepsShown(page);
   await stepsShown(other.page);
-  const before = await ask(address);
+  const before = await stateOf(address);
   await page.reload();
   await whenDrawn(page);
   await stepsShown(page);
   await other.context.close();
-  const after = await ask(address);
+  const after = await stateOf(address);
   expect(after.fingerprint === before.fingerprint && after.seeds === before.seeds, "nothing is lost");
 }
 
@@ -176,7 +108,7 @@ async function testOtherPage(browser, address) {
   await new Promise((done) => evil.listen(0, "127.0.0.1", done));
   const page = await (await browser.newContext()).newPage();
   await page.goto(`http://localhost:${evil.address().port}/`);
-  const before = await ask(address);
+  const before = await stateOf(address);
   const got = await page.evaluate(async (target) => {
     const tried = {};
     const attempt = async (name, work) => (tried[name] = await work().catch(() => "refused"));
@@ -192,7 +124,7 @@ async function testOtherPage(browser, address) {
     return tried;
   }, origin);
   expect(Object.values(got).every((result) => result === "refused"), `another page gets nothing: ${JSON.stringify(got)}`);
-  const after = await ask(address);
+  const after = await stateOf(address);
   expect(after.revision === before.revision, "another page changes nothing");
   evil.close();
 }
@@ -200,7 +132,7 @@ async function testOtherPage(browser, address) {
 await withBrowser(async (browser, folder) => {
   const mesh = join(folder, "mesh.ply");
   geolloyd("generate", "creature", "--triangles", "20000", "--output", mesh);
-  const { child, ended, address } = await startView(mesh, "--seeds", "40", "--init", "random", "--output", join(folder, "saved"));
+  const { child, ended, address } = await startView(program, mesh, "--seeds", "40", "--init", "random", "--output", join(folder, "saved"));
   const { page, complaints } = await open(browser, address);
   const unreachable = await unreachableControls(page);
   expect(unreachable.length === 0, `the keyboard reaches ${unreachable}`);
@@ -212,7 +144,7 @@ await withBrowser(async (browser, folder) => {
   await testOtherPage(browser, address);
   expect(complaints.length === 0, `no complaint of the browser: ${complaints}`);
   await browser.close();
-  expect((await ask(address)).step === 1, "without a browser all is there");
+  expect((await stateOf(address)).step === 1, "without a browser all is there");
   expect(existsSync(join(folder, "saved/first-seeds.csv")), "edited seeds are saved");
   child.kill("SIGINT");
   expect((await ended) === 130, "an interrupt ends it");

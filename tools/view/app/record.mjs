@@ -2,18 +2,15 @@
 // viewer-dark.png show trees and a picked region, 000.png, 001.png ... the timeline.
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { launchBrowser, whenDrawn } from "./drive.mjs";
 
 const [page, folder] = process.argv.slice(2);
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader"],
-});
+const browser = await launchBrowser();
 
 async function open(width, height, colorScheme) {
   const tab = await browser.newPage({ viewport: { width, height }, colorScheme });
   await tab.goto(pathToFileURL(page).href);
-  await tab.waitForFunction(() => Number(document.querySelector("canvas").dataset.drawn ?? 0) > 0);
+  await whenDrawn(tab);
   return tab;
 }
 
