@@ -7,6 +7,7 @@
 #include "core/graph/components.h"
 #include "core/library/tessellated_graph.h"
 #include "core/lloyd/engine.h"
+#include "core/seeds/seed_file.h"
 #include "core/seeds/seeds.h"
 #include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
@@ -16,11 +17,16 @@ namespace {
 
 void validate(const Mesh& mesh, const TessellateOptions& options) {
   validate(mesh);
-  if (options.seed_count == 0 && options.first_seeds.empty()) {
-    throw InvalidInput("seeds: give seed_count, or first_seeds");
+  const int given = (options.seed_count != 0 ? 1 : 0) + (options.first_seeds.empty() ? 0 : 1) +
+                    (options.first_positions.empty() ? 0 : 1);
+  if (given == 0) throw InvalidInput("seeds: give seed_count, first_seeds or first_positions");
+  if (given > 1) {
+    throw InvalidInput("seeds: give one of seed_count, first_seeds and first_positions");
   }
-  if (options.seed_count != 0 && !options.first_seeds.empty()) {
-    throw InvalidInput("seeds: give seed_count or first_seeds, not both");
+  for (const Vec3& position : options.first_positions) {
+    if (!is_usable(position.x()) || !is_usable(position.y()) || !is_usable(position.z())) {
+      throw InvalidInput("first_positions: a coordinate is not a finite number of usable size");
+    }
   }
 }
 
@@ -33,7 +39,7 @@ std::vector<NodeId> make_graph_and_seeds(const Mesh& mesh, std::span<const Tange
   keep_for_arcs(edges, options.graph);
   const FirstSeedOptions first{options.init, options.seed_count, options.random_seed, field};
   std::vector<SeedPlace> places;
-  if (options.first_seeds.empty()) {
+  if (options.seed_count != 0) {
     places =
         find_first_places(mesh, edges.duplicates,
                           count_nodes(mesh, options.graph, runtime.executor()), first, runtime);
@@ -43,8 +49,11 @@ std::vector<NodeId> make_graph_and_seeds(const Mesh& mesh, std::span<const Tange
       {options.graph, options.norm, {field.begin(), field.end()}, options.averaging},
       runtime.executor());
   const Components components = connected_components(mesh_graph.graph);
-  if (options.first_seeds.empty()) {
+  if (options.seed_count != 0) {
     return choose_first_seeds(mesh, places, mesh_graph, components, first, runtime);
+  }
+  if (!options.first_positions.empty()) {
+    return seeds_at(options.first_positions, "first_positions", mesh_graph, components).nodes;
   }
   std::vector<NodeId> nodes = nodes_of_seeds(mesh_graph, options.first_seeds);
   check_every_component_has_a_seed("first_seeds", mesh_graph, components, nodes);
@@ -56,7 +65,7 @@ RelaxationOptions relaxation_options(const TessellateOptions& options) {
   relaxation.max_greedy_steps = options.max_greedy_steps;
   relaxation.max_macrosteps = options.max_macrosteps;
   relaxation.improvement_rounds = options.improvement_rounds;
-  const bool is_given = !options.first_seeds.empty();
+  const bool is_given = options.seed_count == 0;
   relaxation.greedy = options.greedy.value_or(is_given ? GreedyMode::extended
                                                        : suggested_greedy_mode(options.init));
   return relaxation;

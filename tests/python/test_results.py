@@ -63,6 +63,21 @@ def test_regions_are_trees(torus):
     assert np.isclose(found.region_energy.sum(), found.energy)
 
 
+def test_seeds_by_position(torus):
+    ids = geolloyd.seeds(torus, 20)
+    places = torus.vertices[ids] + [0, 0, 1e-6]
+    assert geolloyd.relax(torus, places).fingerprint == geolloyd.relax(torus, ids).fingerprint
+    assert (geolloyd.voronoi(torus, np.concatenate([places, places])).seeds == ids).all()
+    finer = geolloyd.voronoi(torus, geolloyd.generate("torus", 200).vertices, graph="triangle")
+    assert len(finer.seeds) == len(geolloyd.generate("torus", 200).vertices)
+
+
+@pytest.mark.parametrize("seeds", [[[0, 0]], [[0, 0, float("nan")]], [[0, 0, 1e200]], np.zeros((0, 3)), [[[0, 0, 0]]]])
+def test_positions_that_are_none(torus, seeds):
+    with pytest.raises(ValueError, match="seeds|first_positions"):
+        geolloyd.relax(torus, seeds)
+
+
 def test_ground_truth(torus):
     truth = geolloyd.ground_truth(torus, geolloyd.relax(torus, 20).seeds)
     assert truth.centroid.shape == (20, 3) and 0.8 < truth.node_agreement <= 1

@@ -37,6 +37,9 @@ struct Request {
     const auto text = [&](const char* name) { return given[name].cast<std::string>(); };
     options.seed_count = given["count"].cast<std::size_t>();
     options.first_seeds = ids_of("seeds", given["seeds"].cast<std::optional<IdArray>>());
+    if (const auto positions = given["positions"].cast<std::optional<NumberArray>>()) {
+      options.first_positions = points_of(*positions);
+    }
     options.init = choice_of("init", seed_init_names, text("init"));
     options.random_seed = given["random_seed"].cast<std::uint64_t>();
     options.graph = choice_of("graph", graph_kind_names, text("graph"));

@@ -16,6 +16,9 @@ namespace geolloyd {
 struct TessellateOptions {
   std::size_t seed_count = 0;  ///< number of regions, at least 1; unless first seeds are given
   std::vector<InputId> first_seeds;  ///< different; each component of the mesh has one
+  /// First seeds instead, such as those of another mesh: for each the nearest id of the graph, of
+  /// several the smallest. One whose nearest id is that of an earlier one is left out.
+  std::vector<Vec3> first_positions;
   SeedInit init = SeedInit::automatic;
   std::uint64_t random_seed = 1;
 

@@ -15,8 +15,9 @@ _NO_LIMIT = 2**32 - 1
 def _options(seeds: Any, init: str, random_seed: int, graph: str, norm: str, averaging: str,
              field: Union[str, ArrayLike, None], threads: int) -> Dict[str, Any]:
     if seeds is None:
-        raise ValueError("seeds: how many? Give a number, or their ids")
+        raise ValueError("seeds: how many? Give a number, their ids, or their positions")
     is_count = np.ndim(seeds) == 0
+    by_position = np.ndim(seeds) == 2
     of_surface = field if isinstance(field, str) else ""
     if of_surface not in ("", "curvature", "cross"):
         raise ValueError(f"field: '{field}': give \"curvature\", \"cross\", or (n, 8) numbers")
@@ -24,7 +25,8 @@ def _options(seeds: Any, init: str, random_seed: int, graph: str, norm: str, ave
         raise ValueError("seeds: none: give at least one")
     return {
         "count": _arrays.whole("seeds", seeds, 1, 2**31 - 1) if is_count else 0,
-        "seeds": None if is_count else _arrays.ids("seeds", seeds, None),
+        "seeds": None if is_count or by_position else _arrays.ids("seeds", seeds, None),
+        "positions": _arrays.numbers("seeds", seeds, None, 3) if by_position else None,
         "init": _arrays.word("init", init),
         "random_seed": _arrays.whole("random_seed", random_seed),
         "graph": _arrays.word("graph", graph),
@@ -51,7 +53,8 @@ def relax(vertices: Any, faces: Optional[ArrayLike] = None, seeds: Union[int, Ar
     ----------
     vertices : (n, 3) numbers, or a mesh of trimesh, PyVista, Open3D or read(); then faces are left out
     faces : (m, 3) ids
-    seeds : how many, at least one per component of the mesh; or the ids of the first ones
+    seeds : how many, at least one per component of the mesh; or the first ones: (k,) ids, or (k, 3) positions,
+        such as the vertices of another mesh, for the nearest ids. Those nearest to the same id are one seed
     graph : "vertex", "vertex-dense", "vertex-far", "triangle", "triangle-dense" or "mixed": what ids are of,
         and which of them are neighbours
     init : how the first seeds are chosen: "auto", "farthest", "kmeans++", "random-area", "random", "surface",
