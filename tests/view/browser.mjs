@@ -43,10 +43,6 @@ export function complaintsOf(page) {
   return complaints;
 }
 
-export function framesDrawn(page) {
-  return page.evaluate(() => Number(document.querySelector("canvas").dataset.drawn));
-}
-
 // Of pixels that show something, the share of each colour of the palette, whatever the light; "grey" is one of them.
 // `png`: a picture as a data URL; without it, what the canvas shows.
 export function coloursShown(page, png) {

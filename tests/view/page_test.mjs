@@ -2,8 +2,8 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { drag, seedInSight, whenDrawn } from "../../tools/view/app/drive.mjs";
-import { coloursShown, complaintsOf, expect, framesDrawn, geolloyd, report, unreachableControls, withBrowser } from "./browser.mjs";
+import { drag, framesDrawn, seedInSight, settle, whenDrawn } from "../../tools/view/app/drive.mjs";
+import { coloursShown, complaintsOf, expect, geolloyd, report, unreachableControls, withBrowser } from "./browser.mjs";
 
 const began = Date.now();
 
@@ -81,10 +81,15 @@ async function testRegions(browser, folder) {
   expect(Math.hypot(moved.x - seed.x, moved.y - seed.y) > 5, "the mesh has turned");
 
   // Nothing is drawn while nothing changes.
-  await page.waitForTimeout(200);
+  await settle(page);
   const before = await framesDrawn(page);
   await page.waitForTimeout(400);
   expect(await framesDrawn(page) === before, "no frame without a change");
+  const canvas = page.locator("canvas");
+  const kept = await canvas.screenshot();
+  await page.evaluate(() => window.geolloyd.viewer.stage.draw(true));
+  await settle(page);
+  expect(kept.equals(await canvas.screenshot()), "edges are smooth in what stays");
 
   for (const label of ["seeds", "edges of the mesh", "shortest-path trees"]) {
     for (let turn = 0; turn < 2; ++turn) {  // on and off

@@ -13,6 +13,18 @@ export function whenDrawn(page) {
   return page.waitForFunction(() => Number(document.querySelector("canvas").dataset.drawn ?? 0) > 0, null, { timeout: 60_000 });
 }
 
+export function framesDrawn(page) {
+  return page.evaluate(() => Number(document.querySelector("canvas").dataset.drawn));
+}
+
+// Once no frame has come for a second: the last one is drawn with smooth edges.
+export async function settle(page) {
+  for (let before = -1, now = await framesDrawn(page); before !== now; now = await framesDrawn(page)) {
+    before = now;
+    await page.waitForTimeout(1000);
+  }
+}
+
 // Resolves once the session's address is there.
 export function startView(program, ...words) {
   const child = spawn(program, ["view", "--no-open", ...words]);

@@ -2,7 +2,7 @@
 // viewer-dark.png show trees and a picked region, 000.png, 001.png ... the timeline.
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { launchBrowser, whenDrawn } from "./drive.mjs";
+import { launchBrowser, settle, whenDrawn } from "./drive.mjs";
 
 const [page, folder] = process.argv.slice(2);
 const browser = await launchBrowser();
@@ -13,8 +13,6 @@ async function open(width, height, colorScheme) {
   await whenDrawn(tab);
   return tab;
 }
-
-const settle = (tab) => tab.waitForTimeout(500);
 
 for (const [scheme, name] of [["light", "viewer.png"], ["dark", "viewer-dark.png"]]) {
   const tab = await open(1000, 640, scheme);

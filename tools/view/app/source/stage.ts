@@ -1,6 +1,7 @@
 // The canvas: camera, controls, drawing on demand, and what is under a pixel.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Smoothing } from "./smoothing";
 import type { Surface } from "./surface";
 
 // Of what is seen; vertices of no triangle may be farther off than 1.
@@ -34,6 +35,7 @@ export class Stage {
   readonly camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
   readonly controls: OrbitControls;
   private readonly renderer: THREE.WebGLRenderer;
+  private readonly smoothing: Smoothing;
   private readonly pickScene = new THREE.Scene();
   private readonly pickTarget = new THREE.WebGLRenderTarget(1, 1);
   private isAsked = false;
@@ -46,7 +48,8 @@ export class Stage {
     this.front = firstView(front, up);
     this.radius = radiusOf(positions);
     this.camera.up.copy(up);  // before there are controls, which keep it
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, alpha: true });
+    this.smoothing = new Smoothing(this.renderer);
     THREE.ColorManagement.enabled = false;  // colours are drawn as they are
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.controls = new OrbitControls(this.camera, canvas);
@@ -74,13 +77,14 @@ export class Stage {
     requestAnimationFrame(() => this.draw());
   }
 
-  draw(): void {
+  // `isSmooth`: with smooth edges, however long that takes.
+  draw(isSmooth = false): void {
     this.isAsked = false;
     const distance = this.camera.position.length();
     this.camera.near = Math.max(distance - 1.1, 0.002);
     this.camera.far = distance + 1.1;
     this.camera.updateProjectionMatrix();
-    this.renderer.render(this.scene, this.camera);
+    this.smoothing.draw(this.scene, this.camera, isSmooth, () => this.draw(true));
     this.canvas.dataset.drawn = String(++this.drawn);
   }
 
@@ -114,7 +118,7 @@ export class Stage {
   }
 
   picture(): Promise<Blob | null> {
-    this.draw();
+    this.draw(true);
     return new Promise((done) => this.canvas.toBlob(done, "image/png"));
   }
 

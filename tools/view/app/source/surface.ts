@@ -7,33 +7,49 @@ import { colourTexture, fetchCode, idTexture, makeTexture } from "./textures";
 
 export type Colouring = "regions" | "own" | "plain";
 
-const vertexShader = `
+const head = `
 precision highp float; precision highp int; precision highp usampler2D; precision highp sampler2D;
+uniform int uNodes;  // 0: vertices, 1: triangles, 2: both
+${fetchCode}`;
+
+// Of a corner: its place, and what `body` makes of it for `outputs`. Few outputs: each costs as much as a triangle's pixels.
+const vertexShaderOf = (outputs: string, body: string) => `${head}
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform sampler2D uPositions;
-uniform usampler2D uTriangles, uRegions;
+uniform usampler2D uTriangles;
 uniform uint uFirstTriangle;
-uniform int uNodes;  // 0: vertices, 1: triangles, 2: both
-out vec3 vWeights, vNormal, vPlace;
-flat out uvec4 vNodes, vRegions;
-flat out uvec3 vCorners;
-flat out uint vTriangle;
-${fetchCode}${unpackCode}
-uint region_of(uint node) { return texelFetch(uRegions, place_of(node), 0).r; }
+out vec3 vWeights;
+${outputs}
 void main() {
-  vTriangle = uint(gl_VertexID) / 3u;
+  uint triangle = uint(gl_VertexID) / 3u;
   uint c = uint(gl_VertexID) % 3u;
-  vCorners = texelFetch(uTriangles, place_of(vTriangle), 0).rgb;
-  vNodes = uvec4(vCorners, uFirstTriangle + vTriangle);
-  vRegions = uNodes == 1 ? uvec4(region_of(vNodes.w))
-    : uvec4(region_of(vNodes.x), region_of(vNodes.y), region_of(vNodes.z), uNodes == 2 ? region_of(vNodes.w) : 0u);
-  vec4 packed_place = texelFetch(uPositions, place_of(vCorners[c]), 0);
+  uvec3 corners = texelFetch(uTriangles, place_of(triangle), 0).rgb;
+  uvec4 nodes = uvec4(corners, uFirstTriangle + triangle);
+  vec4 packed_place = texelFetch(uPositions, place_of(corners[c]), 0);
   vec4 place = modelViewMatrix * vec4(packed_place.xyz, 1.0);
   vWeights = vec3(c == 0u, c == 1u, c == 2u);
+  gl_Position = projectionMatrix * place;
+  ${body}
+}`;
+
+const vertexShader = vertexShaderOf(`
+uniform sampler2D uColours;
+uniform usampler2D uRegions;
+uniform int uColouring, uColoursPer;  // 0: plain, 1: own, 2: regions; per 0: vertices, 1: triangles
+out vec3 vNormal, vPlace, vOwn;
+flat out uvec4 vRegions;
+${unpackCode}
+uint region_of(uint node) { return texelFetch(uRegions, place_of(node), 0).r; }`, `
   vNormal = mat3(modelViewMatrix) * unpack_direction(packed_place.w);
   vPlace = place.xyz;
-  gl_Position = projectionMatrix * place;
-}`;
+  vRegions = uvec4(0u);
+  if (uColouring == 2) {
+    vRegions = uNodes == 1 ? uvec4(region_of(nodes.w))
+      : uvec4(region_of(nodes.x), region_of(nodes.y), region_of(nodes.z), uNodes == 2 ? region_of(nodes.w) : 0u);
+  }
+  vOwn = uColouring == 1 ? texelFetch(uColours, place_of(uColoursPer == 1 ? triangle : corners[c]), 0).rgb : vec3(0.0);`);
+
+const pickVertexShader = vertexShaderOf("flat out uvec4 vNodes;", "vNodes = nodes;");
 
 const nodeCode = `
 int nearest() {
@@ -43,28 +59,23 @@ int nearest() {
   return vWeights.x == most ? 0 : vWeights.y == most ? 1 : 2;
 }`;
 
-const fragmentHead = `
-precision highp float; precision highp int; precision highp usampler2D; precision highp sampler2D;
-uniform int uNodes;
-in vec3 vWeights, vNormal, vPlace;
-flat in uvec4 vNodes, vRegions;
-flat in uvec3 vCorners;
-flat in uint vTriangle;
-${fetchCode}${nodeCode}`;
+const fragmentHead = `${head}
+in vec3 vWeights;
+${nodeCode}`;
 
 const fragmentShader = `${fragmentHead}
-uniform sampler2D uPalette, uColours;
-uniform int uColouring, uColoursPer;  // 0: plain, 1: own, 2: regions; per 0: vertices, 1: triangles
+uniform sampler2D uPalette;
+uniform int uColouring;
 uniform uint uPicked;
 uniform bool uEdges, uPale;
 uniform vec3 uPlain;
+in vec3 vNormal, vPlace, vOwn;
+flat in uvec4 vRegions;
 out vec4 colour;
-vec3 colour_of(uint i) { return texelFetch(uColours, place_of(i), 0).rgb; }
 void main() {
   vec3 base = uPlain;
   if (uColouring == 1) {
-    base = uColoursPer == 1 ? colour_of(vTriangle)
-      : vWeights.x * colour_of(vCorners.x) + vWeights.y * colour_of(vCorners.y) + vWeights.z * colour_of(vCorners.z);
+    base = vOwn;
   } else if (uColouring == 2) {
     uint region = vRegions[nearest()];
     base = region == 0xffffffffu ? vec3(0.5) : texelFetch(uPalette, place_of(region), 0).rgb;
@@ -89,6 +100,7 @@ void main() {
 
 // The node under each pixel, as four bytes.
 const pickShader = `${fragmentHead}
+flat in uvec4 vNodes;
 out vec4 colour;
 void main() {
   uint node = vNodes[nearest()];
@@ -128,9 +140,9 @@ export class Surface {
       uPale: { value: false },
       uPlain: { value: new THREE.Vector3(0.84, 0.82, 0.79) },
     };
-    const common = { glslVersion: THREE.GLSL3, vertexShader, uniforms: this.uniforms, side: THREE.DoubleSide };
-    const material = new THREE.RawShaderMaterial({ ...common, fragmentShader, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 4 });
-    this.pickMaterial = new THREE.RawShaderMaterial({ ...common, fragmentShader: pickShader, blending: THREE.NoBlending });
+    const common = { glslVersion: THREE.GLSL3, uniforms: this.uniforms, side: THREE.DoubleSide };
+    const material = new THREE.RawShaderMaterial({ ...common, vertexShader, fragmentShader, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 4 });
+    this.pickMaterial = new THREE.RawShaderMaterial({ ...common, vertexShader: pickVertexShader, fragmentShader: pickShader, blending: THREE.NoBlending });
     const geometry = new THREE.BufferGeometry();
     geometry.setDrawRange(0, triangles.length);
     this.mesh = new THREE.Mesh(geometry, material);
