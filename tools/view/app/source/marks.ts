@@ -2,11 +2,37 @@
 import * as THREE from "three";
 import { none, Per } from "./bundle";
 
-export class Balls {
-  object: THREE.InstancedMesh | null = null;
-  places: Float32Array = new Float32Array(0);
+// One object of the scene, which may be replaced, and hidden.
+class Mark<T extends THREE.InstancedMesh | THREE.LineSegments> {
+  protected object: T | null = null;
 
-  constructor(private readonly scene: THREE.Scene, private readonly colour: number, private readonly size: number) {}
+  constructor(private readonly scene: THREE.Scene) {}
+
+  show(isShown: boolean): void {
+    if (this.object) this.object.visible = isShown;
+  }
+
+  protected replace(object: T): void {
+    if (this.object) {
+      this.scene.remove(this.object);
+      this.object.geometry.dispose();
+      (this.object.material as THREE.Material).dispose();
+      if (this.object instanceof THREE.InstancedMesh) this.object.dispose();
+    }
+    this.object = object;
+    object.frustumCulled = false;
+    this.scene.add(object);
+  }
+}
+
+const small = 500;  // where there are more balls, each is small enough for fewer triangles
+
+export class Balls extends Mark<THREE.InstancedMesh> {
+  private places: Float32Array = new Float32Array(0);
+
+  constructor(scene: THREE.Scene, private readonly colour: number, private readonly size: number) {
+    super(scene);
+  }
 
   get count(): number {
     return this.places.length / 3;
@@ -19,51 +45,33 @@ export class Balls {
   // `radius`: what a region of the mean area has.
   set(places: Float32Array, radius: number): void {
     this.places = places;
-    if (this.object && this.object.count !== this.count) this.remove();
-    if (!this.object) {
-      this.object = new THREE.InstancedMesh(new THREE.OctahedronGeometry(1, 2), new THREE.MeshBasicMaterial({ color: this.colour }), this.count);
-      this.object.frustumCulled = false;
-      this.scene.add(this.object);
+    if (this.object?.count !== this.count) {
+      const detail = this.count > small ? 1 : 2;
+      this.replace(new THREE.InstancedMesh(new THREE.OctahedronGeometry(1, detail), new THREE.MeshBasicMaterial({ color: this.colour }), this.count));
     }
     const size = this.size * radius;
     const matrix = new THREE.Matrix4().makeScale(size, size, size);
     for (let i = 0; i < this.count; ++i) {
-      this.object.setMatrixAt(i, matrix.setPosition(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
+      this.object!.setMatrixAt(i, matrix.setPosition(places[3 * i], places[3 * i + 1], places[3 * i + 2]));
     }
-    this.object.instanceMatrix.needsUpdate = true;
+    this.object!.instanceMatrix.needsUpdate = true;
   }
 
   move(i: number, place: THREE.Vector3): void {
+    if (!this.object) return;
     place.toArray(this.places, 3 * i);
     const matrix = new THREE.Matrix4();
-    this.object?.getMatrixAt(i, matrix);
-    this.object?.setMatrixAt(i, matrix.setPosition(place));
-    if (this.object) this.object.instanceMatrix.needsUpdate = true;
-  }
-
-  show(isShown: boolean): void {
-    if (this.object) this.object.visible = isShown;
-  }
-
-  private remove(): void {
-    if (!this.object) return;
-    this.scene.remove(this.object);
-    this.object.geometry.dispose();
-    this.object.dispose();
-    this.object = null;
+    this.object.getMatrixAt(i, matrix);
+    this.object.setMatrixAt(i, matrix.setPosition(place));
+    this.object.instanceMatrix.needsUpdate = true;
   }
 }
 
 // Two places a line, and a colour for each place.
 export interface ColouredLines { places: Float32Array; colours: Float32Array }
 
-export class Lines {
-  private object: THREE.LineSegments | null = null;
-
-  constructor(private readonly scene: THREE.Scene) {}
-
+export class Lines extends Mark<THREE.LineSegments> {
   set({ places, colours }: ColouredLines): void {
-    this.remove();
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
     geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
@@ -72,21 +80,7 @@ export class Lines {
     material.onBeforeCompile = (shader) => {
       shader.vertexShader = shader.vertexShader.replace(/}\s*$/, "gl_Position.z -= 0.004 * gl_Position.w;}");
     };
-    this.object = new THREE.LineSegments(geometry, material);
-    this.object.frustumCulled = false;
-    this.scene.add(this.object);
-  }
-
-  show(isShown: boolean): void {
-    if (this.object) this.object.visible = isShown;
-  }
-
-  private remove(): void {
-    if (!this.object) return;
-    this.scene.remove(this.object);
-    this.object.geometry.dispose();
-    (this.object.material as THREE.Material).dispose();
-    this.object = null;
+    this.replace(new THREE.LineSegments(geometry, material));
   }
 }
 
