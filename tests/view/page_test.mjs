@@ -32,6 +32,28 @@ function close(shares, others, by, what) {
 const figures = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#figures dt")]
   .map((dt) => [dt.textContent, dt.nextElementSibling.textContent])));
 
+// Of triangles in sight of two regions, those near whose odd corner, but past the middle, the other region is not shown.
+const crookedBorders = (page) => page.evaluate(() => {
+  const { viewer } = window.geolloyd;
+  const { triangles } = viewer.mesh;
+  const found = { tried: 0, crooked: [] };
+  for (let t = 0; t < triangles.length && found.tried < 20; t += 3) {
+    for (let turn = 0; turn < 3; ++turn) {
+      const [odd, a, b] = [0, 1, 2].map((i) => triangles[t + ((i + turn) % 3)]);
+      const wanted = viewer.region[a];
+      if (wanted !== viewer.region[b] || wanted === viewer.region[odd]) continue;
+      const place = viewer.placeOfNode(odd).multiplyScalar(0.44);
+      for (const node of [a, b]) place.addScaledVector(viewer.placeOfNode(node), 0.28);
+      const { x, y } = viewer.stage.project(place);
+      const hit = viewer.at(x - 0.5, y - 0.5);  // the middle of a pixel
+      if (!hit || ![odd, a, b].includes(hit.node)) continue;  // hidden
+      ++found.tried;
+      if (hit.region !== wanted) found.crooked.push(t / 3);
+    }
+  }
+  return found;
+});
+
 // Red, green and blue of what the canvas shows there.
 const pixelAt = (page, x, y) => page.evaluate(async (place) => {
   const image = await createImageBitmap(await window.geolloyd.viewer.stage.picture());
@@ -138,6 +160,8 @@ async function testOddNames(browser, folder) {
   expect(await page.textContent("#title") === name, "the name is shown as it is");
   expect(await page.locator("b").count() === 0, "and is no element");
   expect(await page.getByLabel("tangent field").count() === 1, "there is a field");
+  const { tried, crooked } = await crookedBorders(page);
+  expect(tried === 20 && crooked.length === 0, `of ${tried} triangles ${crooked} have crooked borders`);
   const look = await page.evaluate(() => ({ wide: document.documentElement.scrollWidth, ground: getComputedStyle(document.body).backgroundColor, canvas: document.querySelector("canvas").clientWidth }));
   expect(look.wide <= 360 && look.canvas === 360, "a narrow window is enough");
   expect(look.ground.match(/\d+/g).every((part) => Number(part) < 60), `dark ground, not ${look.ground}`);

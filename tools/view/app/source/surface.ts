@@ -1,5 +1,5 @@
 // A mesh that is drawn from textures: three corners a triangle, without vertex buffers. Regions are looked up per
-// node, colours per region, so a new partition is one texture. Borders between regions run straight across triangles.
+// node, colours per region, so a new partition is one texture. Borders between two regions run straight across triangles.
 import * as THREE from "three";
 import { Bundle, Per } from "./bundle";
 import { packDirection, unpackCode, vertexNormals } from "./normals";
@@ -16,10 +16,13 @@ ${fetchCode}`;
 const vertexShaderOf = (outputs: string, body: string) => `${head}
 uniform mat4 modelViewMatrix, projectionMatrix;
 uniform sampler2D uPositions;
-uniform usampler2D uTriangles;
+uniform usampler2D uTriangles, uRegions;
 uniform uint uFirstTriangle;
+uniform int uColouring, uColoursPer;  // 0: plain, 1: own, 2: regions; per 0: vertices, 1: triangles
 out vec3 vWeights;
+flat out uvec4 vRegions;
 ${outputs}
+uint region_of(uint node) { return texelFetch(uRegions, place_of(node), 0).r; }
 void main() {
   uint triangle = uint(gl_VertexID) / 3u;
   uint c = uint(gl_VertexID) % 3u;
@@ -29,39 +32,42 @@ void main() {
   vec4 place = modelViewMatrix * vec4(packed_place.xyz, 1.0);
   vWeights = vec3(c == 0u, c == 1u, c == 2u);
   gl_Position = projectionMatrix * place;
-  ${body}
-}`;
-
-const vertexShader = vertexShaderOf(`
-uniform sampler2D uColours;
-uniform usampler2D uRegions;
-uniform int uColouring, uColoursPer;  // 0: plain, 1: own, 2: regions; per 0: vertices, 1: triangles
-out vec3 vNormal, vPlace, vOwn;
-flat out uvec4 vRegions;
-${unpackCode}
-uint region_of(uint node) { return texelFetch(uRegions, place_of(node), 0).r; }`, `
-  vNormal = mat3(modelViewMatrix) * unpack_direction(packed_place.w);
-  vPlace = place.xyz;
   vRegions = uvec4(0u);
   if (uColouring == 2) {
     vRegions = uNodes == 1 ? uvec4(region_of(nodes.w))
       : uvec4(region_of(nodes.x), region_of(nodes.y), region_of(nodes.z), uNodes == 2 ? region_of(nodes.w) : 0u);
   }
+  ${body}
+}`;
+
+const vertexShader = vertexShaderOf(`
+uniform sampler2D uColours;
+out vec3 vNormal, vPlace, vOwn;
+${unpackCode}`, `
+  vNormal = mat3(modelViewMatrix) * unpack_direction(packed_place.w);
+  vPlace = place.xyz;
   vOwn = uColouring == 1 ? texelFetch(uColours, place_of(uColoursPer == 1 ? triangle : corners[c]), 0).rgb : vec3(0.0);`);
 
 const pickVertexShader = vertexShaderOf("flat out uvec4 vNodes;", "vNodes = nodes;");
 
-const nodeCode = `
-int nearest() {
-  if (uNodes == 1) return 3;
-  float most = max(vWeights.x, max(vWeights.y, vWeights.z));
-  if (uNodes == 2 && most < 2.0 / 3.0) return 3;
-  return vWeights.x == most ? 0 : vWeights.y == most ? 1 : 2;
-}`;
-
+// A pixel is of the nearest corner, but of none whose region has the lesser share: a zigzag around each corner would
+// be the border between two regions.
 const fragmentHead = `${head}
 in vec3 vWeights;
-${nodeCode}`;
+flat in uvec4 vRegions;
+int node_of() {
+  if (uNodes == 1) return 3;
+  vec3 w = vWeights;
+  if (uNodes == 2 && max(w.x, max(w.y, w.z)) < 2.0 / 3.0) return 3;
+  uvec3 r = vRegions.xyz;
+  if (uNodes == 0) {
+    if (r.y == r.z && r.x != r.y) w.x = w.x < 0.5 ? 0.0 : 1.0;
+    if (r.z == r.x && r.y != r.z) w.y = w.y < 0.5 ? 0.0 : 1.0;
+    if (r.x == r.y && r.z != r.x) w.z = w.z < 0.5 ? 0.0 : 1.0;
+  }
+  float most = max(w.x, max(w.y, w.z));
+  return w.x == most ? 0 : w.y == most ? 1 : 2;
+}`;
 
 const fragmentShader = `${fragmentHead}
 uniform sampler2D uPalette;
@@ -70,14 +76,13 @@ uniform uint uPicked;
 uniform bool uEdges, uPale;
 uniform vec3 uPlain;
 in vec3 vNormal, vPlace, vOwn;
-flat in uvec4 vRegions;
 out vec4 colour;
 void main() {
   vec3 base = uPlain;
   if (uColouring == 1) {
     base = vOwn;
   } else if (uColouring == 2) {
-    uint region = vRegions[nearest()];
+    uint region = vRegions[node_of()];
     base = region == 0xffffffffu ? vec3(0.5) : texelFetch(uPalette, place_of(region), 0).rgb;
     if (uPale) base = mix(base, vec3(1.0), 0.55);
     // Stripes, dark and light: they differ from any colour.
@@ -103,7 +108,7 @@ const pickShader = `${fragmentHead}
 flat in uvec4 vNodes;
 out vec4 colour;
 void main() {
-  uint node = vNodes[nearest()];
+  uint node = vNodes[node_of()];
   colour = vec4(node & 255u, (node >> 8) & 255u, (node >> 16) & 255u, node >> 24) / 255.0;
 }`;
 
