@@ -22,6 +22,14 @@ function(install_viewer_packages)
   if(EXISTS ${installed} AND NOT ${viewer_app}/package-lock.json IS_NEWER_THAN ${installed})
     return()
   endif()
+  # npm ci itself waits for each package in turn before it gives up. A registry that answers, with an error too, is there.
+  execute_process(
+    COMMAND ${npm} ping --fetch-retries=0 --fetch-timeout=5000
+    WORKING_DIRECTORY ${viewer_app} TIMEOUT 20 RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE said)
+  if(failed AND NOT said MATCHES "code E[0-9]")
+    set(viewer_lack "npm reaches no packages (npm ping in tools/view/app says why)" PARENT_SCOPE)
+    return()
+  endif()
   message(STATUS "Viewer: installing packages by npm")
   execute_process(
     COMMAND ${CMAKE_COMMAND} -E env PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1

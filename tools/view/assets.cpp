@@ -36,7 +36,7 @@ namespace geolloyd {
 ViewerAssets viewer_assets() {
   throw InvalidInput(
       "this geolloyd was built without its viewer: run tools/install-dependencies --viewer, then "
-      "build it again");
+      "configure with -DGEOLLOYD_BUILD_VIEWER=ON and build it again");
 }
 
 }  // namespace geolloyd
