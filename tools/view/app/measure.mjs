@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync, statSync } from "node:fs";
 import { availableParallelism, cpus, tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { drag, emptyPlace, fingerprintIn, isIdle, launchBrowser, press, seedInSight, startView, stateOf, until, whenDrawn, wordsOf } from "./drive.mjs";
+import { drag, emptyPlace, fingerprintIn, isIdle, launchBrowser, press, seedInSight, settle, startView, stateOf, until, whenDrawn, wordsOf } from "./drive.mjs";
 
 const [program, mesh, seeds = "256", runs = "5"] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "geolloyd-measure-"));
@@ -61,11 +61,13 @@ async function timesOf(page, layer) {
   return handle.jsonValue();
 }
 
-async function measure(name, count, work) {
+// `prepare` finds what `work` needs, and is not measured.
+async function measure(name, count, work, prepare = (i) => i) {
   const found = [];
   for (let i = 0; i < count; ++i) {
+    const prepared = await prepare(i);
     const before = await browserSeconds();
-    const [came, drawn] = await work(i);
+    const [came, drawn] = await work(prepared);
     found.push([came, drawn, 1000 * (await browserSeconds() - before)]);
   }
   rows.push([name, ...[0, 1, 2].map((i) => (found[0][i] === null ? "" : median(found.map((times) => times[i])).toFixed(0)))]);
@@ -93,6 +95,13 @@ async function measurePage() {
   const file = join(folder, "page.html");
   geolloyd("relax", mesh, "--seeds", seeds, "--page", file, "--output", join(folder, "relaxed"));
   await measure(`page of ${(statSync(file).size / 1e6).toFixed(1)} MB, opened`, Number(runs), () => opened(pathToFileURL(file).href));
+}
+
+// A seed, and a place without one, once the search for them has come to rest.
+async function findPlaces(page) {
+  const places = [await seedInSight(page), await emptyPlace(page, 3)];
+  await settle(page);
+  return places;
 }
 
 async function measureSession(address) {
@@ -124,16 +133,15 @@ async function measureSession(address) {
 
   await measure("microstep", Number(runs), () => pressed("Microstep", "regions"));
   await page.getByRole("radio", { name: "adds a seed" }).check();
-  await measure("add a seed", Number(runs), async () => {
-    const place = await emptyPlace(page, 3);
+  await measure("add a seed", Number(runs), async (place) => {
     await page.mouse.click(place.x, place.y);
     return timesOf(page, "regions");
-  });
+  }, async () => (await findPlaces(page))[1]);
   await page.getByRole("radio", { name: "picks" }).check();
-  await measure("drag a seed, dropped", Number(runs), async () => {
-    await drag(page, await seedInSight(page), await emptyPlace(page, 3));
+  await measure("drag a seed, dropped", Number(runs), async ([seed, place]) => {
+    await drag(page, seed, place);
     return timesOf(page, "regions");
-  });
+  }, () => findPlaces(page));
   await measure("ground truth", 1, () => pressed("Ground truth", "truth"));
   await measure("dual", 1, () => pressed("Dual", "dual"));
   await page.getByLabel("Vertices of a remesh").fill(seeds);

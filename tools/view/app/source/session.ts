@@ -19,8 +19,11 @@ export async function startSession(): Promise<void> {
   if (!token) throw new Error("The address lacks its key: open the one that geolloyd view printed.");
   const api = new Api(token);
   const state = await api.state();
-  const viewer = new Viewer(byId<HTMLCanvasElement>("canvas"), await api.bundle("mesh"));
-  const session = new Session(api, viewer);
+  // Regions before the first frame: a mesh without them would be drawn for nothing.
+  const [mesh, regions] = await Promise.all([api.bundle("mesh"), api.bundle("layer/regions")]);
+  const viewer = new Viewer(byId<HTMLCanvasElement>("canvas"), mesh);
+  viewer.add(regions);
+  const session = new Session(api, viewer, { regions: state.layers.regions });
   await session.take(state);
   expose(viewer);
   await session.follow();
@@ -28,11 +31,12 @@ export async function startSession(): Promise<void> {
 
 class Session {
   private readonly controls: SessionControls;
-  private readonly revisions = new Map<string, number>();
+  private readonly revisions: Map<string, number>;  // of the layers that are shown
   private state: State | null = null;
   private isFetching = false;
 
-  constructor(private readonly api: Api, private readonly viewer: Viewer) {
+  constructor(private readonly api: Api, private readonly viewer: Viewer, shown: Record<string, number>) {
+    this.revisions = new Map(Object.entries(shown));
     const send = (command: Command) => this.send(command);
     this.controls = new SessionControls(viewer, send);
     showLayers(viewer);

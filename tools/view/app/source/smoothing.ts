@@ -8,7 +8,7 @@ const samples = 4;
 const quickSmooth = 50;    // frames as short as this are smooth at once
 const quickRough = 15;     // and after rough ones as short as this
 const longestRough = 400;  // after longer ones a smooth one would keep the next change waiting
-const calm = 300;
+const calm = 500;          // without a frame, a move of the pointer or a key, which tell of a change to come
 const glance = 4;          // between two looks whether a frame is done
 
 const copy = {
@@ -28,19 +28,31 @@ export class Smoothing {
   private timer = 0;
   private frame = 0;
 
-  constructor(private readonly renderer: THREE.WebGLRenderer) {}
-
   // `again` draws a smooth frame in place of a rough one.
-  draw(scene: THREE.Scene, camera: THREE.Camera, isSmooth: boolean, again: () => void): void {
+  constructor(private readonly renderer: THREE.WebGLRenderer, private readonly again: () => void) {
+    for (const name of ["pointermove", "keydown"]) window.addEventListener(name, () => this.timer !== 0 && this.wait(), true);
+  }
+
+  draw(scene: THREE.Scene, camera: THREE.Camera, isSmooth: boolean): void {
     isSmooth ||= this.isQuick;
     if (isSmooth) this.drawSmooth(scene, camera);
     else this.renderer.render(scene, camera);
-    window.clearTimeout(this.timer);
+    this.forget();
     const frame = ++this.frame;
     this.whenDone((took) => {
       this.isQuick = took < (isSmooth ? quickSmooth : quickRough);
-      if (!isSmooth && took < longestRough && frame === this.frame) this.timer = window.setTimeout(again, calm);
+      if (!isSmooth && took < longestRough && frame === this.frame) this.wait();
     });
+  }
+
+  private wait(): void {
+    this.forget();
+    this.timer = window.setTimeout(this.again, calm);
+  }
+
+  private forget(): void {
+    window.clearTimeout(this.timer);
+    this.timer = 0;
   }
 
   private drawSmooth(scene: THREE.Scene, camera: THREE.Camera): void {

@@ -49,7 +49,7 @@ export class Stage {
     this.radius = radiusOf(positions);
     this.camera.up.copy(up);  // before there are controls, which keep it
     this.renderer = new THREE.WebGLRenderer({ canvas, alpha: true });
-    this.smoothing = new Smoothing(this.renderer);
+    this.smoothing = new Smoothing(this.renderer, () => this.draw(true));
     THREE.ColorManagement.enabled = false;  // colours are drawn as they are
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.controls = new OrbitControls(this.camera, canvas);
@@ -84,7 +84,7 @@ export class Stage {
     this.camera.near = Math.max(distance - 1.1, 0.002);
     this.camera.far = distance + 1.1;
     this.camera.updateProjectionMatrix();
-    this.smoothing.draw(this.scene, this.camera, isSmooth, () => this.draw(true));
+    this.smoothing.draw(this.scene, this.camera, isSmooth);
     this.canvas.dataset.drawn = String(++this.drawn);
   }
 
