@@ -278,7 +278,22 @@ const WrongCall wrong_calls[] = {
        options.first_seeds = {0};
        tessellate(two_triangles(), options);
      },
-     "not both"},
+     "one of seed_count, first_seeds"},
+    {"SeedsAsIdsAndPositions",
+     [] {
+       TessellateOptions options;
+       options.first_seeds = {0};
+       options.first_positions = {{0, 0, 0}};
+       tessellate(two_triangles(), options);
+     },
+     "one of seed_count, first_seeds"},
+    {"PositionNowhere",
+     [] {
+       TessellateOptions options;
+       options.first_positions = {{0, std::numeric_limits<double>::quiet_NaN(), 0}};
+       tessellate(two_triangles(), options);
+     },
+     "first_positions"},
     {"MoreSeedsThanNodes", [] { tessellate(two_triangles(), with_seeds(5)); }, "more seeds (5)"},
     {"FewerSeedsThanComponents", [] { tessellate(with_a_loose_triangle(), with_seeds(1)); },
      "components"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 
 #include "tools/words/names.h"
 
@@ -58,6 +59,10 @@ void add_seeds(CommandLine& line, const SteppedTessellation& t,
   line.add("--greedy", t.options().greedy, {}, greedy_choice_names);
 }
 
+void add_limit(CommandLine& line, const char* option, std::uint32_t most) {
+  if (most != RelaxationOptions::no_limit) line.add(option, most);
+}
+
 }  // namespace
 
 std::string quoted(const std::string& word) {
@@ -73,13 +78,12 @@ std::string quoted(const std::string& word) {
 
 std::string relax_command_line(const SteppedTessellation& tessellation,
                                const std::filesystem::path& output) {
-  constexpr std::uint32_t no_limit = RelaxationOptions::no_limit;
   CommandLine line("relax", tessellation.start().input.file);
   add_seeds(line, tessellation, output);
   add_graph(line, tessellation.options().graph);
   const RelaxationOptions limits = tessellation.limits();
-  if (limits.max_greedy_steps != no_limit) line.add("--max-greedy-steps", limits.max_greedy_steps);
-  if (limits.max_macrosteps != no_limit) line.add("--max-macrosteps", limits.max_macrosteps);
+  add_limit(line, "--max-greedy-steps", limits.max_greedy_steps);
+  add_limit(line, "--max-macrosteps", limits.max_macrosteps);
   if (!output.empty()) line.add("--output", output.string());
   return line.text();
 }
