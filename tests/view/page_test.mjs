@@ -95,6 +95,8 @@ async function testRegions(browser, folder) {
     expect(Math.abs(Number(read[key]) / Number(wanted[key]) - 1) < 1e-4, `${key} ${read[key]} is ${wanted[key]}`);
   }
   expect((await page.textContent("#status")).includes(`region ${seed.region}`), "the region is said aloud");
+  const ground = await page.evaluate(() => getComputedStyle(document.getElementById("status")).backgroundColor);
+  expect(/^rgb\(/.test(ground), `it is legible before the mesh, on ${ground}`);
 
   // A drag turns the mesh, and picks nothing.
   await drag(page, { x: 300, y: 300 }, { x: 380, y: 310 });
