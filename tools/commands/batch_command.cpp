@@ -239,7 +239,7 @@ void run_batch(BatchArguments& arguments) {
   const auto save = [&](const std::vector<BatchRow>& rows, bool is_complete) {
     Json json = Json::array();
     for (const BatchRow& row : rows) json.push_back(row_json(row));
-    const Json result = result_of(arguments, input, scheduler.threads(), json, is_complete);
+    Json result = result_of(arguments, input, scheduler.threads(), json, is_complete);
     save_result(arguments.output, "batch", json, result);
     return result;
   };
