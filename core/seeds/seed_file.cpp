@@ -43,7 +43,7 @@ class SeedReader {
   enum class Form { ids, positions };
 
   Form find_form() {
-    const std::vector<std::string> words = words_in_line();
+    const std::vector<std::string_view> words = words_in_line();
     const bool has_ids = !words.empty() && words.front() == "input_id";
     if (has_ids || std::find(words.begin(), words.end(), axes[0]) != words.end()) {
       return find_form_of_table(words, has_ids);
@@ -57,7 +57,7 @@ class SeedReader {
     return Form::ids;
   }
 
-  Form find_form_of_table(const std::vector<std::string>& words, bool has_ids) {
+  Form find_form_of_table(const std::vector<std::string_view>& words, bool has_ids) {
     columns_ = words;
     const bool by_id = has_ids && by_ == SeedsBy::id;
     if (!by_id) find_axes();
@@ -77,11 +77,11 @@ class SeedReader {
   }
 
   // On this line, from here on.
-  [[nodiscard]] std::vector<std::string> words_in_line() const {
+  [[nodiscard]] std::vector<std::string_view> words_in_line() const {
     TextCursor ahead = cursor_;
-    std::vector<std::string> words;
+    std::vector<std::string_view> words;
     for (std::string_view word = ahead.word(); !word.empty(); word = ahead.word()) {
-      words.emplace_back(word);
+      words.push_back(word);
     }
     return words;
   }
@@ -158,7 +158,7 @@ class SeedReader {
   std::unordered_map<NodeId, std::size_t> line_of_;
   std::vector<NodeId> ids_;
   std::vector<Vec3> positions_;
-  std::vector<std::string> columns_;  // of a table, else none
+  std::vector<std::string_view> columns_;  // of a table, else none
   std::array<std::size_t, 3> column_of_axis_{};
 };
 
