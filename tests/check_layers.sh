@@ -11,15 +11,17 @@ awk '
 # A file includes only from its own room and from the rooms above it.
 function table() {
   return "core/include/geolloyd " \
-         "core/base core/text core/mesh core/repair core/formats core/shapes core/graph core/voronoi " \
-         "core/seeds core/lloyd core/remesh core/surface core/start core/library " \
+         "core/base core/text core/mesh core/repair core/formats core/shapes core/dual " \
+         "core/surface/substrate core/surface/sizing core/surface/cells core/surface/features " \
+         "core/surface/sites core/surface/result " \
+         "core/graph core/voronoi core/seeds core/lloyd core/regions core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render tools/python " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \
          "tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/repair tests/formats tests/shapes tests/graph " \
-         "tests/voronoi tests/seeds tests/lloyd tests/remesh tests/surface tests/start tests/library tests/parallel tests/evaluation " \
+         "tests/voronoi tests/seeds tests/lloyd tests/regions tests/surface tests/start tests/library tests/parallel tests/evaluation " \
          "tests/program tests/view tests/golden tests/work tests/fuzz"
 }
 

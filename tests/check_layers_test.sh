@@ -25,7 +25,7 @@ finds() {  # file, what is said of it, line that is added to it
 }
 
 finds core/mesh/mesh.h 'includes from a later room' '#include "core/graph/graph.h"'
-finds core/remesh/tessellation.cpp 'includes from a later room' '#include "parallel/threads/scheduler.h"'
+finds core/regions/tessellation.cpp 'includes from a later room' '#include "parallel/threads/scheduler.h"'
 finds parallel/threads/scheduler.h 'includes from a later room' '#include "parallel/engine/parallel_engine.h"'
 finds tools/words/names.h 'includes from a later room' '#include "tools/cli/number_option.h"'
 finds tools/cli/number_option.h 'includes from a later room' '#include "tools/run/stages.h"'

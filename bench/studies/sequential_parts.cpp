@@ -21,11 +21,11 @@
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_check.h"
-#include "core/remesh/remesh.h"
+#include "core/regions/graph_dual.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
 #include "core/start/first_seeds.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/result/remesh.h"
 #include "parallel/engine/parallel_engine.h"
 #include "parallel/library/scheduler_runtime.h"
 
@@ -118,7 +118,7 @@ void print_relaxations(Table& table, OneByOne& threads, const Mesh& mesh, const 
   });
   table.row("remesh of the relaxation", [&] {
     const Partition partition = partition_of(*engine, relaxed.seeds);
-    return make_remesh({mesh, made, relaxed.seeds, partition, *engine, threads}, {});
+    return make_graph_dual({mesh, made, relaxed.seeds, partition, *engine, threads}, {});
   });
 }
 
@@ -142,9 +142,9 @@ void print_table(std::size_t triangles, std::size_t seeds) {
   print_relaxations(table, threads, mesh, edges, made, seeds);
   SchedulerRuntime runtime(threads);
   table.row("surface remesh", [&] {
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.vertex_count = seeds;
-    return make_surface_remesh(
+    return make_remesh(
         mesh, edges, options,
         [&](const FineMesh& fine) { return runtime.make_surface_engine(fine); }, threads);
   });

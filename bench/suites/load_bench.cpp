@@ -55,8 +55,8 @@ bool same_corners(const Mesh& read, const Mesh& written) {
 template <class IsRight>
 void load_file(Run& run, const fs::path& file, IsRight&& is_right) {
   run.verify("the mesh read is not the mesh written",
-             [&] { return is_right(read_mesh(file).mesh, run.inputs().mesh()); });
-  run.measure([&] { return read_mesh(file); });
+             [&] { return is_right(read(file).mesh, run.inputs().mesh()); });
+  run.measure([&] { return read(file); });
   run.rate("triangles/s", run.inputs().mesh().triangle_count());
   run.bytes(fs::file_size(file));
 }
@@ -64,7 +64,7 @@ void load_file(Run& run, const fs::path& file, IsRight&& is_right) {
 void load_format(Run& run, const std::string& format) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / ("mesh." + format);
-  write_mesh(file, run.inputs().mesh());
+  write(file, run.inputs().mesh());
   load_file(run, file, format == "stl" ? same_corners : same_mesh);
 }
 

@@ -9,17 +9,17 @@
 #include "bench/support/run.h"
 #include "bench/support/same_bytes.h"
 #include "core/base/random.h"
-#include "core/remesh/seed_insertion.h"
-#include "core/surface/cell_labels.h"
-#include "core/surface/creases.h"
-#include "core/surface/curvature.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/site_descent.h"
-#include "core/surface/site_refinement.h"
-#include "core/surface/sizing.h"
-#include "core/surface/surface_fit.h"
-#include "core/surface/surface_remesh.h"
-#include "core/surface/surface_repair.h"
+#include "core/dual/seed_insertion.h"
+#include "core/surface/cells/cell_labels.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/features/creases.h"
+#include "core/surface/result/remesh.h"
+#include "core/surface/result/surface_fit.h"
+#include "core/surface/result/surface_repair.h"
+#include "core/surface/sites/site_descent.h"
+#include "core/surface/sites/site_refinement.h"
+#include "core/surface/sizing/curvature.h"
+#include "core/surface/sizing/sizing.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 
@@ -133,7 +133,7 @@ std::vector<Vec3> shifted_sites(const RestedSurface& start) {
 std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start,
                                               const MakeSurfaceEngine& make_engine) {
   auto engine = make_engine(start.input().fine);
-  engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_chain);
+  engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_curve);
   return engine;
 }
 
@@ -186,7 +186,7 @@ void descend(Run& run, const Workers& workers) {
   const RestedSurface& start = run.inputs().surface(run.seeds());
   const auto engine = workers.make_engine(start.input().fine);
   const LevelMesh level = fine_level(start.surface());
-  const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_chain); };
+  const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_curve); };
   const auto work = [&] { return descend_ten(start, *engine, workers.executor); };
   run.verify("not the way down of the reference", [&] {
     prepare();
@@ -205,13 +205,13 @@ struct Refined {
   std::vector<RegionId> labels;
 };
 
-Refined refine_at_rest(const RestedSurface& start, const ChainSites& finer,
-                       std::span<const std::array<RegionId, 2>> on_chains,
+Refined refine_at_rest(const RestedSurface& start, const CurveSites& finer,
+                       std::span<const std::array<RegionId, 2>> on_curves,
                        std::span<const VertexId> itself, Executor& executor) {
   const LabelledSites& state = start.resting.state;
   const LevelMesh level = fine_level(start.surface());
   const auto adjacent = adjacent_cells(level, state.labels);
-  Refined refined{refine_sites(state.sites, adjacent, on_chains, finer), {}};
+  Refined refined{refine_sites(state.sites, adjacent, on_curves, finer), {}};
   refined.labels = inherit_labels(level, refined.refinement, state.labels, itself, executor);
   return refined;
 }
@@ -223,7 +223,7 @@ bool inherit_nearest(const RestedSurface& start, const Refined& refined) {
     const auto distance = [&](RegionId r) {
       return (p - refined.refinement.sites.positions[r]).squaredNorm();
     };
-    for (const RegionId heir : refined.refinement.heirs[start.resting.state.labels[v]]) {
+    for (const RegionId heir : refined.refinement.child_sites[start.resting.state.labels[v]]) {
       if (refined.labels[v] == no_id) return false;
       if (distance(heir) < distance(refined.labels[v]) * (1 - 1e-12)) return false;
     }
@@ -233,19 +233,19 @@ bool inherit_nearest(const RestedSurface& start, const Refined& refined) {
 
 void refine(Run& run, const Workers& workers) {
   const RestedSurface& start = run.inputs().surface(run.seeds());
-  const ChainSites old =
-      place_chain_sites(start.input(), start.surface().chains, start.spacings.front());
-  const ChainSites finer =
-      place_chain_sites(start.input(), start.surface().chains, start.spacings.front() / 2);
-  const auto on_chains = neighbours_on_chains(start.surface().chains, old.label);
+  const CurveSites old =
+      place_curve_sites(start.input(), start.surface().curves, start.spacings.front());
+  const CurveSites finer =
+      place_curve_sites(start.input(), start.surface().curves, start.spacings.front() / 2);
+  const auto on_curves = neighbours_on_curves(start.surface().curves, old.label);
   std::vector<VertexId> itself(start.input().fine.vertex_count());
   std::iota(itself.begin(), itself.end(), VertexId{0});
   const auto work = [&] {
-    return refine_at_rest(start, finer, on_chains, itself, workers.executor);
+    return refine_at_rest(start, finer, on_curves, itself, workers.executor);
   };
-  run.verify("not the nearest of the heirs", [&] {
+  run.verify("not the nearest of the child_sites", [&] {
     const Refined found = work();
-    const Refined expected = refine_at_rest(start, finer, on_chains, itself, sequential());
+    const Refined expected = refine_at_rest(start, finer, on_curves, itself, sequential());
     return inherit_nearest(start, found) && same_bytes(found.labels, expected.labels);
   });
   run.measure(work);
@@ -259,7 +259,7 @@ struct Repaired {
 
 Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::size_t sites,
                         const MakeSurfaceEngine& make_engine, Executor& executor) {
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = sites;
   SiteRelaxer relaxer(make_engine, options, start.input().fine.whole_area,
                       1 / start.input().frame.scale, executor);
@@ -271,7 +271,7 @@ Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::s
 struct LabelledDual {
   Mesh mesh;
   std::vector<RegionId> labels;
-  std::size_t on_chains = 0;
+  std::size_t on_curves = 0;
 };
 
 LabelledDual dual_at_rest(const RestedSurface& start, std::size_t sites) {
@@ -284,7 +284,7 @@ LabelledDual dual_at_rest(const RestedSurface& start, std::size_t sites) {
   }
   dual.mesh.triangles = std::move(dualised.dual.triangles);
   dual.labels = std::move(dualised.state.labels);
-  dual.on_chains = dualised.state.sites.on_chains;
+  dual.on_curves = dualised.state.sites.on_curves;
   return dual;
 }
 
@@ -315,13 +315,13 @@ void fit(Run& run, const Workers& workers) {
   Mesh mesh;
   const auto prepare = [&] { mesh = dual.mesh; };
   const auto work = [&] {
-    return fit_to_surface(start.input(), dual.labels, dual.on_chains, {}, mesh, workers.executor);
+    return fit_to_surface(start.input(), dual.labels, dual.on_curves, {}, mesh, workers.executor);
   };
   run.verify("not closer, or not the fit of the calling thread", [&] {
     prepare();
     const FitResult found = work();
     Mesh expected = dual.mesh;
-    fit_to_surface(start.input(), dual.labels, dual.on_chains, {}, expected);
+    fit_to_surface(start.input(), dual.labels, dual.on_curves, {}, expected);
     return found.after.sum_of_squares <= found.before.sum_of_squares &&
            same_bytes(mesh.positions, expected.positions);
   });
@@ -345,7 +345,7 @@ void find_creases(Run& run, const Workers& workers) {
 void find_sizes(Run& run, const Workers& workers) {
   Inputs& in = run.inputs();
   const RestedSurface& start = run.inputs().surface(run.seeds());
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = run.seeds();
   options.sizing.adapt = 1;
   const auto sizes = [&](Executor& executor) {
@@ -362,17 +362,16 @@ void find_sizes(Run& run, const Workers& workers) {
 
 void remesh(Run& run, const Workers& workers) {
   Inputs& in = run.inputs();
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = run.seeds();
-  const SurfaceRemesh& expected = in.surface_remesh(run.seeds());
+  const Remesh& expected = in.surface_remesh(run.seeds());
   const auto work = [&] {
-    return make_surface_remesh(in.mesh(), in.edges(), options, workers.make_engine,
-                               workers.executor);
+    return make_remesh(in.mesh(), in.edges(), options, workers.make_engine, workers.executor);
   };
   // Of the reference verified when its result was made, once for all.
   if (!workers.are_reference) {
     run.verify("not the course of the reference", [&] {
-      const SurfaceRemesh found = work();
+      const Remesh found = work();
       return found.fingerprint == expected.fingerprint &&
              same_bytes(found.mesh.positions, expected.mesh.positions) &&
              same_bytes(found.mesh.triangles, expected.mesh.triangles);

@@ -8,8 +8,8 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/result/remesh.h"
 #include "core/voronoi/check_partition.h"
 #include "core/voronoi/dijkstra.h"
 #include "core/voronoi/forest.h"
@@ -118,7 +118,7 @@ Relaxed summarise(const Relaxation& relaxation) {
 const Mesh& Inputs::mesh() {
   return mesh_.get({}, [&] {
     return source_.file.empty() ? creature(source_.triangles, random_seed)
-                                : read_mesh(source_.file).mesh;
+                                : read(source_.file).mesh;
   });
 }
 
@@ -185,12 +185,11 @@ const RestedSurface& Inputs::surface(std::size_t sites) {
   return surface_.get(sites, [&] { return rest_on_surface(mesh(), edges(), sites); });
 }
 
-const SurfaceRemesh& Inputs::surface_remesh(std::size_t sites) {
+const Remesh& Inputs::surface_remesh(std::size_t sites) {
   return surface_remesh_.get(sites, [&] {
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.vertex_count = sites;
-    SurfaceRemesh remesh =
-        make_surface_remesh(mesh(), edges(), options, make_reference_surface_engine);
+    Remesh remesh = make_remesh(mesh(), edges(), options, make_reference_surface_engine);
     require(remesh.has_input_topology(), "the remesh is no manifold like the mesh");
     return remesh;
   });

@@ -91,7 +91,7 @@ class Inputs {
   const Relaxed& relaxed(std::size_t seeds);
   /// For so many sites.
   const RestedSurface& surface(std::size_t sites);
-  const SurfaceRemesh& surface_remesh(std::size_t sites);
+  const Remesh& surface_remesh(std::size_t sites);
 
  private:
   BenchMesh source_;
@@ -105,7 +105,7 @@ class Inputs {
   Kept<Rest, std::size_t> rest_;
   Kept<Relaxed, std::size_t> relaxed_;
   Kept<RestedSurface, std::size_t> surface_;
-  Kept<SurfaceRemesh, std::size_t> surface_remesh_;
+  Kept<Remesh, std::size_t> surface_remesh_;
 };
 
 /// Those of the mesh last asked for are kept, others are not.

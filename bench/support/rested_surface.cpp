@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/mesh/mesh_measure.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/site_relaxer.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/sites/site_relaxer.h"
 
 namespace geolloyd {
 namespace {
@@ -47,7 +47,7 @@ RestedSurface rest_on_surface(const Mesh& mesh, const MeshEdges& edges, std::siz
   RestedSurface rested{
       make_surface_start(mesh, edges.duplicates, area, sites, {}, {}, make_engine), {}, 0};
   rested.spacings = spacings_of_levels(SiteBudgeter(rested.surface()), sites);
-  const SurfaceRemeshOptions options;
+  const RemeshOptions options;
   SiteRelaxer relaxer(make_engine, options, rested.input().fine.whole_area,
                       1 / rested.input().frame.scale, sequential());
   relaxer.sweep(fine_level(rested.surface()), rested.resting.state);

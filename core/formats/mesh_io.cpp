@@ -37,7 +37,7 @@ void check_size(const Mesh& mesh, std::size_t file_size, std::string_view name) 
   if (mesh.positions.empty()) fail_at_byte(name, file_size, "the file ends without a vertex");
   if (mesh.triangles.empty()) {
     fail_at_byte(name, file_size,
-                 "the file ends without a face; a point cloud has no surface to tessellate");
+                 "the file ends without a face; a point cloud has no surface to relax");
   }
   if (!ids_suffice(mesh.vertex_count(), mesh.triangle_count())) {
     fail_at_byte(name, file_size, too_many(mesh.vertex_count(), mesh.triangle_count()));
@@ -54,7 +54,7 @@ void check_extent(const Mesh& mesh, std::string_view name) {
 
 }  // namespace
 
-LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+LoadedMesh read(const std::filesystem::path& path, const ReadOptions& options) {
   const MeshFormat format = format_to_read(path);
   const std::string name = path.string();
   const std::filesystem::path folder = path.parent_path();

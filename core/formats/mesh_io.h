@@ -13,16 +13,16 @@
 
 namespace geolloyd {
 
-/// Writes a mesh into an open file, as write_mesh (geolloyd/mesh.h) does; the format is told by the
+/// Writes a mesh into an open file, as write (geolloyd/mesh.h) does; the format is told by the
 /// extension. No
 /// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
 /// STL, which knows float32 only. Properties that the format cannot hold are passed over.
-void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
+void write(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
 
-/// Removes what write_mesh would pass over in a file of that name, and says so in `left_out`.
+/// Removes what write would pass over in a file of that name, and says so in `left_out`.
 void keep_writable(const std::filesystem::path& path, Properties& properties);
 
-/// PLY as write_mesh does, with these faces. A quadrilateral has the properties of its first
+/// PLY as write does, with these faces. A quadrilateral has the properties of its first
 /// triangle.
 void write_faces_ply(FileWriter& out, const Mesh& mesh, std::span<const Face> faces,
                      const Properties& properties = {});
@@ -33,7 +33,7 @@ struct Label {
   std::int32_t region;                 ///< -1: none
 };
 
-/// PLY as write_mesh does, with the properties red, green, blue and region for each vertex, or for
+/// PLY as write does, with the properties red, green, blue and region for each vertex, or for
 /// each triangle, or for both; an empty span is left out. The mesh's own properties of the same
 /// name are input_red and so on.
 void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,

@@ -27,7 +27,7 @@ struct ParsedMesh : LoadedMesh {
   std::vector<PolygonFan> fans;  ///< of the faces of four and more corners
 };
 
-/// What read_mesh makes of a file that holds `bytes`; `name` opens every message. `folder` is where
+/// What read makes of a file that holds `bytes`; `name` opens every message. `folder` is where
 /// the file lies, for glTF with buffers beside it; null: there are none.
 LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name,
                       const ReadOptions& options = {},

@@ -153,7 +153,7 @@ void keep_writable(const std::filesystem::path& path, Properties& properties) {
   properties.of_triangles = std::move(of_triangles);
 }
 
-void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties) {
+void write(FileWriter& out, const Mesh& mesh, const Properties& properties) {
   const MeshFormat format = format_to_write(out.path());
   switch (format) {
     case MeshFormat::ply:
@@ -176,11 +176,11 @@ void write_mesh(FileWriter& out, const Mesh& mesh, const Properties& properties)
   }
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Properties& properties) {
+void write(const std::filesystem::path& path, const Mesh& mesh, const Properties& properties) {
   validate_contents(mesh);
   validate(properties, mesh);
   FileWriter out(path);
-  write_mesh(out, mesh, properties);
+  write(out, mesh, properties);
   out.commit();
 }
 

@@ -8,7 +8,7 @@
 #include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
-#include "core/graph/straight_ways.h"
+#include "core/graph/geodesic_shortcuts.h"
 #include "core/mesh/metric_mean.h"
 #include "core/mesh/tangent_plane.h"
 #include "geolloyd/errors.h"
@@ -83,18 +83,20 @@ TangentSpace turned_into_triangle(const Mesh& mesh, TriangleId triangle,
 
 // How many straight ways there are, from those of some vertices: to find them all takes as long as
 // to make the graph.
-std::uint64_t estimate_ways(const StraightWays& ways, std::size_t vertices, Executor& executor) {
+std::uint64_t estimate_ways(const GeodesicShortcuts& ways, std::size_t vertices,
+                            Executor& executor) {
   constexpr std::size_t step = 16;
   constexpr std::size_t grain = 256;
-  return step * parallel_reduce<std::uint64_t>(executor, (vertices + step - 1) / step, grain,
-                                               [&](std::size_t begin, std::size_t end) {
-                                                 std::uint64_t count = 0;
-                                                 for (std::size_t i = begin; i < end; ++i) {
-                                                   ways.visit(static_cast<VertexId>(step * i),
-                                                              [&](const StraightWay&) { ++count; });
-                                                 }
-                                                 return count;
-                                               });
+  return step *
+         parallel_reduce<std::uint64_t>(executor, (vertices + step - 1) / step, grain,
+                                        [&](std::size_t begin, std::size_t end) {
+                                          std::uint64_t count = 0;
+                                          for (std::size_t i = begin; i < end; ++i) {
+                                            ways.visit(static_cast<VertexId>(step * i),
+                                                       [&](const GeodesicShortcut&) { ++count; });
+                                          }
+                                          return count;
+                                        });
 }
 
 class ArcBuilder {
@@ -262,7 +264,7 @@ class ArcBuilder {
   // Found once: that takes longer than to copy them.
   void find_ways() {
     constexpr std::size_t grain = 256;
-    const StraightWays ways(mesh_, edges_, executor_);
+    const GeodesicShortcuts ways(mesh_, edges_, executor_);
     check_arc_count(estimate_ways(ways, mesh_.vertex_count(), executor_));
     ways_.resize((mesh_.vertex_count() + grain - 1) / grain);
     std::vector<std::vector<UndirectedArc>> found(executor_.threads());
@@ -271,7 +273,7 @@ class ArcBuilder {
         [&](std::size_t begin, std::size_t end, std::size_t worker) {
           found[worker].clear();
           for (std::size_t v = begin; v < end; ++v) {
-            ways.visit(static_cast<VertexId>(v), [&](const StraightWay& way) {
+            ways.visit(static_cast<VertexId>(v), [&](const GeodesicShortcut& way) {
               found[worker].push_back(
                   {target_.node_of[way.from], target_.node_of[way.to], length_of_way(ways, way)});
             });
@@ -296,7 +298,8 @@ class ArcBuilder {
   }
 
   // The sum over the triangles on the way, each in its own space.
-  [[nodiscard]] double length_of_way(const StraightWays& ways, const StraightWay& way) const {
+  [[nodiscard]] double length_of_way(const GeodesicShortcuts& ways,
+                                     const GeodesicShortcut& way) const {
     if (triangle_space_.empty() && measure_.norm == Norm::geodesic) return way.length;
     double sum = 0;
     ways.visit_pieces(way, [&](const StraightPiece& piece) {
@@ -331,7 +334,7 @@ std::uint64_t count_arcs(const Mesh& mesh, const MeshEdges& edges, GraphKind kin
     arcs += pairs_across(edges.corners(e), kind);
   }
   if (kind == GraphKind::vertex_far) {
-    arcs += estimate_ways(StraightWays(mesh, edges, executor), mesh.vertex_count(), executor);
+    arcs += estimate_ways(GeodesicShortcuts(mesh, edges, executor), mesh.vertex_count(), executor);
   }
   if (kind == GraphKind::mixed) arcs += edges.corner.size();
   if (kind == GraphKind::triangle_dense) {

@@ -6,8 +6,8 @@
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/graph/mesh_arcs.h"
-#include "core/graph/spatial_order.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/mesh/spatial_order.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -28,7 +28,7 @@ MeshGraph start_mesh_graph(const Mesh& mesh, GraphKind kind) {
 
 void check_some_nodes(const MeshGraph& target) {
   if (!target.input_id.empty()) return;
-  throw InvalidInput("no triangle of the mesh has three different vertices: nothing to tessellate");
+  throw InvalidInput("no triangle of the mesh has three different vertices: nothing to relax");
 }
 
 Vec3 position_of(const Mesh& mesh, const MeshGraph& target, std::uint32_t id) {

@@ -1,6 +1,6 @@
 #include "core/base/executor.h"
 #include "core/lloyd/reference_engine.h"
-#include "core/surface/reference_surface_engine.h"
+#include "core/surface/cells/reference_surface_engine.h"
 #include "core/voronoi/growing_search.h"
 #include "geolloyd/runtime.h"
 

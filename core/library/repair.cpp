@@ -6,7 +6,7 @@
 
 namespace geolloyd {
 
-RepairedMesh repair_mesh(const Mesh& mesh, const RepairOptions& options, Runtime& runtime) {
+RepairedMesh repair(const Mesh& mesh, const RepairOptions& options, Runtime& runtime) {
   validate(mesh);
   if (!std::isfinite(options.hole_share) || options.hole_share < 0) {
     throw InvalidInput("repair: hole_share must be a number that is not negative");

@@ -8,7 +8,7 @@
 
 #include "core/base/kernel_seconds.h"
 #include "core/base/random.h"
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -90,7 +90,7 @@ std::uint64_t digest(const Mesh& mesh) {
 const TessellatedGraph& internals_of(const Tessellation& tessellation, const Mesh& mesh) {
   validate(mesh);
   if (!tessellation.internals) {
-    throw InvalidInput("tessellation: empty: make one with tessellate()");
+    throw InvalidInput("tessellation: empty: make one with relax()");
   }
   if (tessellation.internals->mesh_digest != digest(mesh)) {
     throw InvalidInput("tessellation: of another mesh");

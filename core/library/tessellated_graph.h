@@ -5,7 +5,7 @@
 
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
-#include "geolloyd/tessellate.h"
+#include "geolloyd/relax.h"
 
 namespace geolloyd {
 

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "core/base/disagreement.h"
 #include "core/graph/graph.h"
 #include "core/lloyd/engine.h"
 
 namespace geolloyd {
-
-/// Two engines gave different results.
-struct Disagreement : std::runtime_error {
-  Disagreement(const std::string& what, NodeId at) : std::runtime_error(what), node(at) {}
-  NodeId node;  ///< where first, or no_id where it is no matter of one node
-};
 
 /// Has two engines do everything, compares all they give, node by node, and goes on with it. Throws
 /// Disagreement at the first difference, which names step, place and both values.

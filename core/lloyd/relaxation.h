@@ -60,8 +60,8 @@ struct Relaxation {
   double energy = 0;  ///< sum of mass * distance^2, mesh units
   StopReason stop_reason = StopReason::converged;
   std::vector<Step> steps;
-  /// Chains the digests of the states at the start of each step, in their order, and at last that
-  /// of the result, even where the result is one of them.
+  /// FeatureCurves the digests of the states at the start of each step, in their order, and at last
+  /// that of the result, even where the result is one of them.
   std::uint64_t fingerprint = 0;
 };
 

@@ -10,6 +10,9 @@
 
 namespace geolloyd {
 
+/// Two triangles that meet at an edge; ascending.
+using TrianglePair = std::array<TriangleId, 2>;
+
 /// A corner is 3 * triangle + position; it stands for the edge opposite to it.
 using CornerId = std::uint32_t;
 

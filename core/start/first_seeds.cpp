@@ -7,7 +7,7 @@
 #include "core/seeds/seeds.h"
 #include "core/start/coarse_start.h"
 #include "core/start/surface_start.h"
-#include "core/surface/site_places.h"
+#include "core/surface/result/site_places.h"
 
 namespace geolloyd {
 namespace {

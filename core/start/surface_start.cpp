@@ -6,9 +6,9 @@
 
 #include "core/base/buffer.h"
 #include "core/mesh/mesh_measure.h"
-#include "core/surface/field_metric.h"
-#include "core/surface/site_relaxer.h"
-#include "core/surface/sizing.h"
+#include "core/surface/sites/site_relaxer.h"
+#include "core/surface/sizing/field_metric.h"
+#include "core/surface/sizing/sizing.h"
 
 namespace geolloyd {
 namespace {
@@ -74,7 +74,7 @@ SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> du
   const double sized_area = start.input().fine.whole_sized_area;
   const double spacing = spacing_of(sized_area, static_cast<double>(sites));
   start.divided = std::make_unique<const DividedSurface>(start.input(), spacing, true, executor);
-  const SurfaceRemeshOptions options;
+  const RemeshOptions options;
   SiteRelaxer relaxer(make_engine, options, sized_area, 1 / start.input().frame.scale, executor);
   start.resting = rest_sites(start.surface(), sites, relaxer, effort, executor);
   return start;

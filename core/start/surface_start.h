@@ -5,10 +5,10 @@
 
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
-#include "core/surface/patches.h"
-#include "core/surface/site_levels.h"
-#include "core/surface/surface_engine.h"
-#include "core/surface/surface_input.h"
+#include "core/surface/cells/surface_engine.h"
+#include "core/surface/features/patches.h"
+#include "core/surface/sites/site_levels.h"
+#include "core/surface/substrate/surface_input.h"
 #include "geolloyd/choices.h"
 
 namespace geolloyd {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/lloyd/engine.h"
-#include "core/surface/surface_engine.h"
+#include "core/surface/cells/surface_engine.h"
 #include "core/voronoi/growing_search.h"
 #include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/loops.h"
-#include "core/surface/cell_pieces.h"
-#include "core/surface/nearest_label.h"
+#include "core/surface/cells/cell_pieces.h"
+#include "core/surface/cells/nearest_label.h"
 
 namespace geolloyd {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/base/executor.h"
-#include "core/surface/surface_engine.h"
+#include "core/surface/cells/surface_engine.h"
 
 namespace geolloyd {
 

@@ -1,15 +1,15 @@
 #include <geolloyd/geolloyd.h>
+
 #include <cstdio>
 
 int main() try {
-  const geolloyd::Mesh mesh = geolloyd::read_mesh("scan.ply").mesh;
+  const geolloyd::Mesh mesh = geolloyd::read("scan.ply").mesh;
+  geolloyd::RemeshOptions options;
+  options.vertex_count = 2048;
   geolloyd::Threads threads;  // all that this process may use; they never change a result
-  geolloyd::TessellateOptions options;
-  options.seed_count = 256;
-  const geolloyd::Tessellation tessellation = geolloyd::tessellate(mesh, options, threads);
-  const geolloyd::Remesh remesh = geolloyd::remesh(mesh, tessellation, {}, threads);
-  geolloyd::write_mesh("remesh.ply", remesh.mesh);
-  std::printf("%zu regions, energy %g\n", tessellation.regions.size(), tessellation.energy);
+  const geolloyd::Remesh remesh = geolloyd::remesh(mesh, options, threads);
+  geolloyd::write("remesh.ply", remesh.mesh);
+  std::printf("%zu vertices\n", remesh.mesh.vertex_count());
 } catch (const geolloyd::Error& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 2;

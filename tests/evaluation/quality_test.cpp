@@ -21,13 +21,13 @@ TEST(Quality, OfATriangularGridHasNearlyTheEnergyOfHexagons) {
                      {{0, 1, 3}, {1, 2, 3}}};
   TemporaryFolder folder;
   const fs::path coarse = folder.path() / "coarse.ply";
-  write_mesh(coarse, refine(rhombus, 40));
+  write(coarse, refine(rhombus, 40));
   Scheduler scheduler(2);
   ProgressLine progress;
   for (const std::uint32_t frequency : {40U, 57U, 80U, 400U}) {
     SCOPED_TRACE(frequency);
     const fs::path original = folder.path() / "original.ply";
-    write_mesh(original, refine(rhombus, frequency));
+    write(original, refine(rhombus, frequency));
     const QualityRecord record = judge({coarse, original, {}, 1'000}, scheduler, progress);
     ASSERT_TRUE(record.likeness);
     EXPECT_NEAR(record.likeness->energy / record.likeness->hexagonal, 1, 0.06);

@@ -157,7 +157,7 @@ TEST_F(Gltf, BuffersLieBesideTheFileOnly) {
   (void)folder.write("the square.bin", square_bytes());
   json root = gltf_square();
   root["buffers"][0]["uri"] = "the%20square.bin";
-  EXPECT_EQ(read_mesh(folder.write("m.gltf", root.dump())).mesh.triangles, square_triangles);
+  EXPECT_EQ(read(folder.write("m.gltf", root.dump())).mesh.triangles, square_triangles);
   for (const char* address : {"../m.bin", "/etc/passwd", "a/b.bin", "..%2fm.bin", "..", ".hidden",
                               "file:///m.bin", "http://x/m.bin", "c:\\m.bin", "", "%zz", "a%00"}) {
     root["buffers"][0]["uri"] = address;
@@ -240,8 +240,8 @@ TEST_F(Gltf, MeshesInVeryManyPlacesEndAtTheLimit) {
   }
   const TemporaryFolder folder;
   const auto path = folder.write("m.gltf", as_text(root, square_bytes()));
-  EXPECT_EQ(read_mesh(path).mesh.triangle_count(), 2002U);
-  EXPECT_THROW((void)read_mesh(path, {false, 100'000}), InvalidInput);
+  EXPECT_EQ(read(path).mesh.triangle_count(), 2002U);
+  EXPECT_THROW((void)read(path, {false, 100'000}), InvalidInput);
 }
 
 TEST_F(Gltf, KeepsColoursNormalsAndTextureCoordinates) {
@@ -260,8 +260,8 @@ TEST_F(Gltf, KeepsColoursNormalsAndTextureCoordinates) {
     for (const bool has_alpha : {false, true}) {
       Properties given = properties;
       if (has_alpha) given.of_vertices.push_back({"alpha", std::vector<std::uint8_t>{0, 1, 2, 3}});
-      write_mesh(folder.path() / name, mesh, given);
-      const LoadedMesh same = read_mesh(folder.path() / name, {true});
+      write(folder.path() / name, mesh, given);
+      const LoadedMesh same = read(folder.path() / name, {true});
       EXPECT_EQ(same.mesh.positions, mesh.positions);
       EXPECT_EQ(same.mesh.triangles, mesh.triangles);
       EXPECT_EQ(same.properties.of_vertices.size(), given.of_vertices.size());

@@ -72,7 +72,7 @@ class LabelFormats : public MeshFiles {
   void expect_labelled_square(const char* name, const std::string& bytes, const char* property,
                               const std::vector<std::int32_t>& labels) const {
     const TemporaryFolder folder;
-    const LoadedMesh loaded = read_mesh(folder.write(name, bytes), {true});
+    const LoadedMesh loaded = read(folder.write(name, bytes), {true});
     EXPECT_EQ(loaded.mesh.positions,
               (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(loaded.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
@@ -111,14 +111,14 @@ TEST_F(LabelFormats, KeepALabelAndEveryDigit) {
   const TemporaryFolder folder;
   for (const char* name : {"m.mesh", "m.msh", "m.msh.zst"}) {
     const auto path = folder.path() / name;
-    write_mesh(path, mesh, properties);
-    const LoadedMesh same = read_mesh(path, {true});
+    write(path, mesh, properties);
+    const LoadedMesh same = read(path, {true});
     EXPECT_EQ(same.mesh.positions, mesh.positions) << name;
     EXPECT_EQ(same.mesh.triangles, mesh.triangles) << name;
     ASSERT_FALSE(same.properties.of_triangles.empty()) << name;
     EXPECT_EQ(same.properties.of_triangles[0].values, properties.of_triangles[0].values) << name;
-    write_mesh(path, mesh);
-    EXPECT_TRUE(read_mesh(path, {true}).properties.empty()) << name;
+    write(path, mesh);
+    EXPECT_TRUE(read(path, {true}).properties.empty()) << name;
   }
 }
 
@@ -191,7 +191,7 @@ TEST(Vtp, HasTheShapeAndAllPropertiesAsArrays) {
                             {"<a&b>", std::vector<std::uint8_t>{1, 2, 3, 255}}};
   properties.of_triangles = {{"region", std::vector<std::int32_t>{-1, 0, 1, 7}}};
   const TemporaryFolder folder;
-  write_mesh(folder.path() / "m.vtp", mesh, properties);
+  write(folder.path() / "m.vtp", mesh, properties);
   const std::string file = read_file(folder.path() / "m.vtp");
   EXPECT_EQ(vtp_array<double>(file, "distance"), (std::vector<double>{0, 0.5, 1e-300, 3}));
   EXPECT_EQ(vtp_array<std::uint8_t>(file, "&lt;a&amp;b&gt;"),

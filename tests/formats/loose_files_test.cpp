@@ -76,7 +76,7 @@ TEST_F(LooseFiles, PlyMayHaveFacesAndStrips) {
       "element face 1\nproperty list uchar int vertex_indices\nproperty uchar red\nend_header\n"
       "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 1 3 2 7\n";
   const TemporaryFolder folder;
-  const LoadedMesh loaded = read_mesh(folder.write("m.ply", bytes), {true});
+  const LoadedMesh loaded = read(folder.write("m.ply", bytes), {true});
   EXPECT_EQ(loaded.mesh.triangles, (Triangles{{0, 1, 2}, {1, 3, 2}}));
   EXPECT_TRUE(loaded.properties.of_triangles.empty());
   EXPECT_EQ(loaded.properties.left_out,

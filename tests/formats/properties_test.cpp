@@ -143,20 +143,20 @@ std::string ply_of(const std::vector<Property>& properties, Encoding encoding) {
 class MeshProperties : public testing::Test {
  protected:
   [[nodiscard]] LoadedMesh load(const std::string& name, std::string_view bytes) const {
-    return read_mesh(folder_.write(name, bytes), {true});
+    return read(folder_.write(name, bytes), {true});
   }
 
   [[nodiscard]] Properties round_trip(const std::string& name, const Properties& properties) const {
-    write_mesh(folder_.path() / name, corner_tetrahedron, properties);
-    return read_mesh(folder_.path() / name, {true}).properties;
+    write(folder_.path() / name, corner_tetrahedron, properties);
+    return read(folder_.path() / name, {true}).properties;
   }
 
   // Of the file, if properties are asked for; nothing is wrong with it if they are not.
   [[nodiscard]] std::string complaint(const std::string& name, std::string_view bytes) const {
     const auto path = folder_.write(name, bytes);
-    EXPECT_TRUE(read_mesh(path).properties.empty());
+    EXPECT_TRUE(read(path).properties.empty());
     try {
-      (void)read_mesh(path, {true});
+      (void)read(path, {true});
       return {};
     } catch (const InvalidInput& error) {
       const std::string message = error.what();
@@ -187,13 +187,13 @@ TEST_F(MeshProperties, OfAFileThatWasCutOffAreRefused) {
   const std::string whole = ply_of(all_types(), Encoding::big);
   for (std::size_t size = whole.find("end_header"); size < whole.size(); ++size) {
     const auto path = folder_.write("m.ply", std::string_view(whole).substr(0, size));
-    EXPECT_THROW((void)read_mesh(path, {true}), InvalidInput) << size;
+    EXPECT_THROW((void)read(path, {true}), InvalidInput) << size;
   }
 }
 
 TEST_F(MeshProperties, AreReadOnRequestOnly) {
   const auto path = folder_.write("m.ply", ply_of(all_types(), Encoding::little));
-  EXPECT_TRUE(read_mesh(path).properties.empty());
+  EXPECT_TRUE(read(path).properties.empty());
 }
 
 const std::string four_vertices =
@@ -411,7 +411,7 @@ TEST_F(MeshProperties, LabelsOfRegionsLeaveNamesToThemselves) {
   FileWriter out(folder_.path() / "m.ply");
   write_labelled_ply(out, corner_tetrahedron, labels, {}, properties);
   out.commit();
-  const Properties again = read_mesh(folder_.path() / "m.ply", {true}).properties;
+  const Properties again = read(folder_.path() / "m.ply", {true}).properties;
   EXPECT_EQ(list_names(again.of_vertices),
             "red, green, blue, region, input_red, input_green, input_blue, nx, ny, nz, s, t, "
             "input_input_red");
@@ -423,7 +423,7 @@ TEST_F(MeshProperties, LabelsOfRegionsLeaveNamesToThemselves) {
 TEST_F(MeshProperties, ThatDoNotFitAreRefused) {
   const auto refused = [&](const Properties& properties) {
     try {
-      write_mesh(folder_.path() / "m.ply", corner_tetrahedron, properties);
+      write(folder_.path() / "m.ply", corner_tetrahedron, properties);
       return std::string();
     } catch (const InvalidInput& error) {
       return std::string(error.what());

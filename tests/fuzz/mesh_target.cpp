@@ -53,8 +53,8 @@ void require_facts(const Mesh& mesh) {
 void require_round_trip(const Mesh& mesh) {
   static const TemporaryFolder folder;
   for (const char* name : {"mesh.ply", "mesh.obj", "mesh.off", "mesh.msh", "mesh.mesh"}) {
-    write_mesh(folder.path() / name, mesh);
-    const Mesh same = read_mesh(folder.path() / name).mesh;
+    write(folder.path() / name, mesh);
+    const Mesh same = read(folder.path() / name).mesh;
     require(same.positions == mesh.positions && same.triangles == mesh.triangles,
             "a mesh is read as it was written");
   }
@@ -68,8 +68,8 @@ void require_sound(const LoadedMesh& loaded, std::size_t file_size) {
           "properties take a small multiple of the file's size");
   static const TemporaryFolder folder;
   if ((file_size + loaded.mesh.vertex_count()) % 8 != 1) return;
-  write_mesh(folder.path() / "mesh.ply", loaded.mesh, loaded.properties);
-  const Properties same = read_mesh(folder.path() / "mesh.ply", {true}).properties;
+  write(folder.path() / "mesh.ply", loaded.mesh, loaded.properties);
+  const Properties same = read(folder.path() / "mesh.ply", {true}).properties;
   require(list_names(same.of_vertices) == list_names(loaded.properties.of_vertices) &&
               list_names(same.of_triangles) == list_names(loaded.properties.of_triangles),
           "properties are read as they were written");

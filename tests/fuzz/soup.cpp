@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bench/support/same_bytes.h"
+#include "core/dual/dual_mesh.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/paired_engine.h"
@@ -19,10 +20,9 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/remesh/dual_mesh.h"
-#include "core/remesh/dual_places.h"
-#include "core/remesh/dual_repair.h"
-#include "core/remesh/region_borders.h"
+#include "core/regions/dual_places.h"
+#include "core/regions/dual_repair.h"
+#include "core/regions/region_borders.h"
 #include "core/voronoi/check_partition.h"
 #include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"

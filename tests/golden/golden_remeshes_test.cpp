@@ -12,8 +12,8 @@
 
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/result/remesh.h"
 #include "core/text/file_io.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
@@ -68,12 +68,11 @@ std::vector<GoldenRemesh> read_remeshes() {
 // The row with the fingerprint that came out.
 std::string outcome_of(GoldenRemesh row, const Mesh& mesh, const MeshEdges& edges,
                        const MakeSurfaceEngine& make_engine, Executor& executor) {
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = row.vertices;
   if (row.field == "curvature") options.field = curvature_field(mesh, edges, executor);
   std::ostringstream digits;
-  digits << std::hex
-         << make_surface_remesh(mesh, edges, options, make_engine, executor).fingerprint;
+  digits << std::hex << make_remesh(mesh, edges, options, make_engine, executor).fingerprint;
   row.fingerprint = std::string(16 - digits.str().size(), '0') + digits.str();
   return testing::PrintToString(row);
 }

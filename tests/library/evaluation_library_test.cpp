@@ -16,9 +16,9 @@ namespace geolloyd {
 namespace {
 
 Tessellation tessellation_of(const Mesh& mesh, std::size_t seeds) {
-  TessellateOptions options;
+  RelaxOptions options;
   options.seed_count = seeds;
-  return tessellate(mesh, options);
+  return relax(mesh, options);
 }
 
 TEST(EvaluationLibrary, TheGroundTruthSpeaksInputIds) {
@@ -72,8 +72,8 @@ TEST(EvaluationLibrary, ARemeshWithinAToleranceHasFewVertices) {
   const double distance = measure_distance(sphere, made.remesh.mesh, 200'000).two_sided().largest;
   EXPECT_LE(distance, 0.1);
   EXPECT_LT(made.remesh.mesh.vertex_count(), 100U);
-  SurfaceRemeshOptions stopping;
-  stopping.progress = [](const SurfaceRemeshProgress&) { return false; };
+  RemeshOptions stopping;
+  stopping.progress = [](const RemeshProgress&) { return false; };
   const ToleranceRemesh stopped = remesh_within(sphere, 1e-9, stopping);
   EXPECT_TRUE(stopped.remesh.interrupted);
   EXPECT_EQ(stopped.trials.size(), 1U);
@@ -95,7 +95,7 @@ TEST(EvaluationLibrary, RefusesWhatMakesNoSense) {
   EXPECT_THROW(remesh_within(mesh, 0, {}), InvalidInput);
   EXPECT_THROW(remesh_within(mesh, std::numeric_limits<double>::quiet_NaN(), {}), InvalidInput);
   EXPECT_THROW(remesh_within(mesh, 1e-12, {}), InvalidInput);
-  SurfaceRemeshOptions counted;
+  RemeshOptions counted;
   counted.vertex_count = 10;
   EXPECT_THROW(remesh_within(mesh, 0.1, counted), InvalidInput);
 }

@@ -5,8 +5,8 @@
 #include <geolloyd/measure.h>
 #include <geolloyd/mesh.h>
 #include <geolloyd/properties.h>
+#include <geolloyd/relax.h>
 #include <geolloyd/remesh.h>
-#include <geolloyd/tessellate.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-TessellateOptions with_seeds(std::size_t count) {
-  TessellateOptions options;
+RelaxOptions with_seeds(std::size_t count) {
+  RelaxOptions options;
   options.seed_count = count;
   return options;
 }
@@ -38,7 +38,7 @@ Mesh two_triangles() {
 // Everything in terms of the input: a vertex's parent is a neighbour nearer to the same seed.
 TEST(Library, ATessellationSpeaksInputIds) {
   const Mesh mesh = icosphere(500);
-  const Tessellation result = tessellate(mesh, with_seeds(12));
+  const Tessellation result = relax(mesh, with_seeds(12));
   ASSERT_EQ(result.regions.size(), 12U);
   ASSERT_EQ(result.region.size(), mesh.vertex_count());
   std::size_t nodes = 0;
@@ -64,15 +64,15 @@ TEST(Library, ATessellationSpeaksInputIds) {
 
 TEST(Library, InTheMixedGraphTrianglesCountAfterVertices) {
   const Mesh mesh = icosphere(80);
-  TessellateOptions options = with_seeds(5);
+  RelaxOptions options = with_seeds(5);
   options.graph = GraphKind::mixed;
-  const Tessellation result = tessellate(mesh, options);
+  const Tessellation result = relax(mesh, options);
   EXPECT_EQ(result.region.size(), mesh.vertex_count() + mesh.triangle_count());
 }
 
 TEST(Library, VoronoiKeepsTheSeedsAsTheyAre) {
   const Mesh mesh = icosphere(320);
-  TessellateOptions options;
+  RelaxOptions options;
   options.first_seeds = {7, 3, 100};
   const Tessellation result = voronoi(mesh, options);
   for (std::size_t r = 0; r < 3; ++r) EXPECT_EQ(result.regions[r].seed, options.first_seeds[r]);
@@ -82,21 +82,21 @@ TEST(Library, VoronoiKeepsTheSeedsAsTheyAre) {
 TEST(Library, FirstSeedsAreThoseOfARelaxation) {
   const Mesh mesh = torus(2000, 1);
   for (const SeedInit init : {SeedInit::random, SeedInit::farthest, SeedInit::automatic}) {
-    TessellateOptions options = with_seeds(20);
+    RelaxOptions options = with_seeds(20);
     options.init = init;
     const std::vector<InputId> seeds = first_seeds(mesh, options);
     EXPECT_EQ(std::set<InputId>(seeds.begin(), seeds.end()).size(), 20U);
     options.greedy = GreedyMode::extended;
-    const Tessellation whole = tessellate(mesh, options);
-    TessellateOptions given;
+    const Tessellation whole = relax(mesh, options);
+    RelaxOptions given;
     given.first_seeds = seeds;
-    EXPECT_EQ(tessellate(mesh, given).fingerprint, whole.fingerprint);
+    EXPECT_EQ(relax(mesh, given).fingerprint, whole.fingerprint);
   }
 }
 
 TEST(Library, DistancesAreThoseOfTheDiagramAndInfiniteElsewhere) {
   Mesh mesh = icosphere(320);
-  TessellateOptions options;
+  RelaxOptions options;
   options.first_seeds = {7, 3, 100};
   EXPECT_EQ(distances(mesh, options), voronoi(mesh, options).distance);
   const VertexId own = static_cast<VertexId>(mesh.vertex_count());
@@ -109,9 +109,9 @@ TEST(Library, DistancesAreThoseOfTheDiagramAndInfiniteElsewhere) {
 }
 
 TEST(Library, ATraceHasAStepForEachEnergy) {
-  TessellateOptions options = with_seeds(30);
+  RelaxOptions options = with_seeds(30);
   options.init = SeedInit::random;
-  const Tessellation result = tessellate(creature(5000, 1), options);
+  const Tessellation result = relax(creature(5000, 1), options);
   ASSERT_GT(result.trace.size(), 2U);
   EXPECT_EQ(result.trace.front().energy, result.initial_energy);
   EXPECT_EQ(result.trace.front().phase, Phase::greedy);
@@ -143,7 +143,7 @@ TEST(Library, FieldsOfASphereAreTangentAndIsotropic) {
 TEST(Library, AVertexOfNoTriangleHasNoRegion) {
   Mesh mesh = two_triangles();
   mesh.positions.push_back({5, 5, 5});
-  const Tessellation result = tessellate(mesh, with_seeds(1));
+  const Tessellation result = relax(mesh, with_seeds(1));
   EXPECT_EQ(result.region[4], no_id);
   EXPECT_EQ(result.distance[4], infinite);
   EXPECT_EQ(result.parent[4], no_id);
@@ -151,25 +151,25 @@ TEST(Library, AVertexOfNoTriangleHasNoRegion) {
 
 TEST(Library, ProgressIsReportedAndMayEndTheWork) {
   const Mesh mesh = creature(5000, 1);
-  TessellateOptions options = with_seeds(30);
+  RelaxOptions options = with_seeds(30);
   options.init = SeedInit::random;
   std::size_t calls = 0;
   options.progress = [&](const Progress& progress) {
     EXPECT_GT(progress.energy, 0);
     return ++calls < 3;
   };
-  const Tessellation stopped = tessellate(mesh, options);
+  const Tessellation stopped = relax(mesh, options);
   EXPECT_EQ(calls, 3U);
   EXPECT_EQ(stopped.stop_reason, StopReason::interrupted);
   EXPECT_LE(stopped.energy, stopped.initial_energy);
   options.progress = [](const Progress&) -> bool { throw std::runtime_error("from the callback"); };
-  EXPECT_THROW(tessellate(mesh, options), std::runtime_error);
+  EXPECT_THROW(relax(mesh, options), std::runtime_error);
 }
 
 TEST(Library, ARemeshIsAManifoldWithSeedsAsVertices) {
   const Mesh mesh = torus(3000, 1);
-  const Tessellation tessellation = tessellate(mesh, with_seeds(60));
-  const Remesh made = remesh(mesh, tessellation);
+  const Tessellation tessellation = relax(mesh, with_seeds(60));
+  const Dual made = dual(mesh, tessellation);
   EXPECT_TRUE(made.is_manifold && made.has_input_topology && made.is_input_manifold);
   EXPECT_EQ(made.violations_left, 0U);
   ASSERT_EQ(made.seeds.size(), made.mesh.vertex_count());
@@ -185,8 +185,8 @@ TEST(Library, ARemeshIsAManifoldWithSeedsAsVertices) {
 TEST(Library, AMeshWrittenAndReadIsTheSame) {
   const TemporaryFolder folder;
   const Mesh mesh = icosphere(100);
-  write_mesh(folder.path() / "sphere.off", mesh);
-  const LoadedMesh loaded = read_mesh(folder.path() / "sphere.off");
+  write(folder.path() / "sphere.off", mesh);
+  const LoadedMesh loaded = read(folder.path() / "sphere.off");
   EXPECT_EQ(loaded.mesh.positions, mesh.positions);
   EXPECT_EQ(loaded.mesh.triangles, mesh.triangles);
 }
@@ -218,19 +218,19 @@ TEST_P(LibraryRefuses, WithASentence) {
 void tessellate_moved(double coordinate) {
   Mesh mesh = two_triangles();
   mesh.positions[2].y() = coordinate;
-  tessellate(mesh, with_seeds(1));
+  relax(mesh, with_seeds(1));
 }
 
 void tessellate_from(std::vector<InputId> seeds, const Mesh& mesh = two_triangles()) {
-  TessellateOptions options;
+  RelaxOptions options;
   options.first_seeds = std::move(seeds);
-  tessellate(mesh, options);
+  relax(mesh, options);
 }
 
 void tessellate_in(std::vector<TangentSpace> field) {
-  TessellateOptions options = with_seeds(1);
+  RelaxOptions options = with_seeds(1);
   options.field = std::move(field);
-  tessellate(two_triangles(), options);
+  relax(two_triangles(), options);
 }
 
 TangentSpace space(double magnitude) {
@@ -251,51 +251,51 @@ Mesh with_a_loose_triangle() {
 }
 
 const WrongCall wrong_calls[] = {
-    {"EmptyMesh", [] { tessellate({}, with_seeds(1)); }, "no triangles"},
+    {"EmptyMesh", [] { relax({}, with_seeds(1)); }, "no triangles"},
     {"NotANumber", [] { tessellate_moved(std::nan("")); }, "vertex 2"},
     {"Infinite", [] { tessellate_moved(infinite); }, "vertex 2"},
     {"TooLarge", [] { tessellate_moved(1e80); }, "vertex 2"},
     {"IdOutOfRange",
      [] {
-       tessellate(with_triangle({0, 1, 4}), with_seeds(1));
+       relax(with_triangle({0, 1, 4}), with_seeds(1));
      },
      "vertex 4"},
     {"NoId",
      [] {
-       tessellate(with_triangle({0, no_id, 1}), with_seeds(1));
+       relax(with_triangle({0, no_id, 1}), with_seeds(1));
      },
      "triangle 2"},
     {"NothingButRepeatedVertices",
      [] {
-       tessellate({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}}, with_seeds(1));
+       relax({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}}, with_seeds(1));
      },
      "three different vertices"},
     {"DistancesFromNowhere", [] { distances(two_triangles(), with_seeds(1)); }, "from where"},
-    {"NoSeeds", [] { tessellate(two_triangles(), {}); }, "seed_count"},
+    {"NoSeeds", [] { relax(two_triangles(), {}); }, "seed_count"},
     {"SeedsTwice",
      [] {
-       TessellateOptions options = with_seeds(1);
+       RelaxOptions options = with_seeds(1);
        options.first_seeds = {0};
-       tessellate(two_triangles(), options);
+       relax(two_triangles(), options);
      },
      "one of seed_count, first_seeds"},
     {"SeedsAsIdsAndPositions",
      [] {
-       TessellateOptions options;
+       RelaxOptions options;
        options.first_seeds = {0};
        options.first_positions = {{0, 0, 0}};
-       tessellate(two_triangles(), options);
+       relax(two_triangles(), options);
      },
      "one of seed_count, first_seeds"},
     {"PositionNowhere",
      [] {
-       TessellateOptions options;
+       RelaxOptions options;
        options.first_positions = {{0, std::numeric_limits<double>::quiet_NaN(), 0}};
-       tessellate(two_triangles(), options);
+       relax(two_triangles(), options);
      },
      "first_positions"},
-    {"MoreSeedsThanNodes", [] { tessellate(two_triangles(), with_seeds(5)); }, "more seeds (5)"},
-    {"FewerSeedsThanComponents", [] { tessellate(with_a_loose_triangle(), with_seeds(1)); },
+    {"MoreSeedsThanNodes", [] { relax(two_triangles(), with_seeds(5)); }, "more seeds (5)"},
+    {"FewerSeedsThanComponents", [] { relax(with_a_loose_triangle(), with_seeds(1)); },
      "components"},
     {"UnknownSeed",
      [] {
@@ -331,27 +331,26 @@ const WrongCall wrong_calls[] = {
        tessellate_in({space(1), space(1), space(1), space(-1)});
      },
      "field[3]"},
-    {"RemeshOfNothing", [] { remesh(two_triangles(), Tessellation{}); }, "tessellation"},
+    {"RemeshOfNothing", [] { dual(two_triangles(), Tessellation{}); }, "tessellation"},
     {"RemeshOfAnotherMesh",
-     [] { remesh(with_a_loose_triangle(), tessellate(two_triangles(), with_seeds(1))); },
-     "another mesh"},
+     [] { dual(with_a_loose_triangle(), relax(two_triangles(), with_seeds(1))); }, "another mesh"},
     {"RemeshOfTheSameSizes",
      [] {
-       const Tessellation tessellation = tessellate(two_triangles(), with_seeds(1));
+       const Tessellation tessellation = relax(two_triangles(), with_seeds(1));
        Mesh other = two_triangles();
        std::swap(other.triangles[0], other.triangles[1]);
-       remesh(other, tessellation);
+       dual(other, tessellation);
      },
      "another mesh"},
     {"RemeshOfAMeshWithAsManyPlaces",
      [] {
-       TessellateOptions options = with_seeds(1);
+       RelaxOptions options = with_seeds(1);
        options.graph = GraphKind::mixed;
-       const Tessellation tessellation = tessellate(two_triangles(), options);
+       const Tessellation tessellation = relax(two_triangles(), options);
        Mesh other = two_triangles();
        other.positions.pop_back();
        other.triangles = {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}};
-       remesh(other, tessellation);
+       dual(other, tessellation);
      },
      "another mesh"},
     {"TopologyOfNotANumber",
@@ -361,10 +360,10 @@ const WrongCall wrong_calls[] = {
        find_topology(mesh);
      },
      "vertex 0"},
-    {"NoSuchFormat", [] { write_mesh("mesh.xyz", two_triangles()); }, "mesh.xyz"},
+    {"NoSuchFormat", [] { write("mesh.xyz", two_triangles()); }, "mesh.xyz"},
     {"WritingAnInvalidMesh",
      [] {
-       write_mesh("no_such_folder/m.ply", with_triangle({0, 1, 9}));
+       write("no_such_folder/m.ply", with_triangle({0, 1, 9}));
      },
      "vertex 9"},
 };
@@ -379,11 +378,11 @@ TEST(Library, AMeshWithoutTrianglesHasNoQualityAndNoParts) {
 
 TEST(Library, DirectionsOfAFieldMayHaveAnyLength) {
   const Mesh mesh = torus(500, 1);
-  TessellateOptions options = with_seeds(9);
+  RelaxOptions options = with_seeds(9);
   options.field.assign(mesh.vertex_count(), space(2));
-  const Tessellation expected = tessellate(mesh, options);
+  const Tessellation expected = relax(mesh, options);
   for (TangentSpace& each : options.field) each.tangent *= 1000;
-  EXPECT_EQ(tessellate(mesh, options).fingerprint, expected.fingerprint);
+  EXPECT_EQ(relax(mesh, options).fingerprint, expected.fingerprint);
 }
 
 TEST(Library, PropertiesAreInterpolatedWhereTheyFit) {
@@ -399,8 +398,8 @@ TEST(Library, PropertiesAreInterpolatedWhereTheyFit) {
 }
 
 TEST(Library, AMissingFileIsAnIoError) {
-  EXPECT_THROW(read_mesh("no/such/mesh.ply"), IoError);
-  EXPECT_THROW(write_mesh("no/such/mesh.ply", two_triangles()), IoError);
+  EXPECT_THROW(read("no/such/mesh.ply"), IoError);
+  EXPECT_THROW(write("no/such/mesh.ply", two_triangles()), IoError);
 }
 
 }  // namespace

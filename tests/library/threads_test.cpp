@@ -11,20 +11,20 @@ namespace {
 
 TEST(Threads, ComputeWhatTheReferenceComputes) {
   const Mesh mesh = creature(6000, 1);
-  TessellateOptions options;
+  RelaxOptions options;
   options.seed_count = 40;
-  const Tessellation expected = tessellate(mesh, options);
-  const Remesh expected_remesh = remesh(mesh, expected);
+  const Tessellation expected = relax(mesh, options);
+  const Dual expected_remesh = dual(mesh, expected);
   for (const Backend backend : {Backend::tbb, Backend::openmp}) {
     for (const std::size_t count : {1U, 2U, 3U}) {
       Threads threads(count, backend);
       EXPECT_EQ(threads.count(), count);
-      const Tessellation tested = tessellate(mesh, options, threads);
+      const Tessellation tested = relax(mesh, options, threads);
       EXPECT_EQ(tested.fingerprint, expected.fingerprint);
       EXPECT_EQ(tested.region, expected.region);
       EXPECT_EQ(tested.distance, expected.distance);
       EXPECT_EQ(tested.parent, expected.parent);
-      const Remesh tested_remesh = remesh(mesh, tested, {}, threads);
+      const Dual tested_remesh = dual(mesh, tested, {}, threads);
       EXPECT_EQ(tested_remesh.mesh.positions, expected_remesh.mesh.positions);
       EXPECT_EQ(tested_remesh.mesh.triangles, expected_remesh.mesh.triangles);
     }
@@ -39,13 +39,13 @@ TEST(Threads, AreAtMostAsManyAsAllowed) {
 TEST(Threads, AThrowingCallbackEndsTheWorkAndTheNextOneGoesOn) {
   const Mesh mesh = creature(6000, 1);
   Threads threads(4);
-  TessellateOptions options;
+  RelaxOptions options;
   options.seed_count = 40;
-  const std::uint64_t expected = tessellate(mesh, options, threads).fingerprint;
+  const std::uint64_t expected = relax(mesh, options, threads).fingerprint;
   options.progress = [](const Progress&) -> bool { throw std::runtime_error("from the callback"); };
-  EXPECT_THROW(tessellate(mesh, options, threads), std::runtime_error);
+  EXPECT_THROW(relax(mesh, options, threads), std::runtime_error);
   options.progress = {};
-  EXPECT_EQ(tessellate(mesh, options, threads).fingerprint, expected);
+  EXPECT_EQ(relax(mesh, options, threads).fingerprint, expected);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST_P(Thesis, EnergiesAreThoseOfTheOriginalProgram) {
       std::getenv("GEOLLOYD_LONG_TESTS") == nullptr) {
     GTEST_SKIP() << "set GEOLLOYD_LONG_TESTS to run this";
   }
-  const Mesh mesh = read_mesh(folder / expected.mesh).mesh;
+  const Mesh mesh = read(folder / expected.mesh).mesh;
   MeshGraphOptions options;
   options.kind = expected.kind;
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);
@@ -64,7 +64,7 @@ TEST_P(Thesis, EnergiesAreThoseOfTheOriginalProgram) {
 TEST(ThesisField, OfTheHippoConverges) {
   const std::filesystem::path folder = GEOLLOYD_SHARED_MESHES;
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the thesis's meshes are not here";
-  const Mesh mesh = read_mesh(folder / "hippo.ply").mesh;
+  const Mesh mesh = read(folder / "hippo.ply").mesh;
   MeshGraphOptions options;
   options.vertex_space = read_tangent_field(folder / "hippo_aniso.vfield", mesh.vertex_count());
   const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh), options);

@@ -100,10 +100,10 @@ TEST(PropertyMixture, LinearFunctionsAreInterpolatedExactly) {
       q.push_back(linear(p));
       red.push_back(static_cast<std::uint8_t>(100.5 + 40 * p.x()));
     }
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.vertex_count = 100;
     options.fit = false;
-    const SurfaceRemesh remesh = remesh_surface(mesh, options);
+    const Remesh remesh = remesh(mesh, options);
     const std::vector<Property> properties = {{"q", q}, {"red", red}};
     const std::vector<Property> made = values_at(mesh, properties, remesh.places);
     for (std::size_t v = 0; v < remesh.mesh.vertex_count(); ++v) {

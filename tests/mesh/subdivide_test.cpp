@@ -166,7 +166,7 @@ TEST(Refine, RefusesImpossibleFrequencies) {
 TEST(Subdivide, GivesTheCountsOfTheHighResolutionHippo) {
   const auto path = std::filesystem::path(GEOLLOYD_SHARED_MESHES) / "hippo.ply";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
-  const Mesh hippo = subdivide_barycentric(subdivide_midpoint(read_mesh(path).mesh));
+  const Mesh hippo = subdivide_barycentric(subdivide_midpoint(read(path).mesh));
   EXPECT_EQ(hippo.vertex_count(), 706'244U);
   EXPECT_EQ(find_edges(hippo).size(), 2'118'692U);
   EXPECT_EQ(hippo.triangle_count(), 1'412'448U);

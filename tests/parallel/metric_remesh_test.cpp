@@ -8,8 +8,8 @@
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/principal_direction.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/field_metric.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/result/remesh.h"
+#include "core/surface/sizing/field_metric.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/sanitizers.h"
@@ -34,7 +34,7 @@ TangentSpace turned(const TangentSpace& space, double angle) {
 }
 
 struct JudgedRemesh {
-  SurfaceRemesh remesh;
+  Remesh remesh;
   MeshQuality quality;  ///< in the metric
 };
 
@@ -46,11 +46,11 @@ class MetricRemesh : public testing::Test {
 
   [[nodiscard]] JudgedRemesh remesh_in(const Mesh& mesh,
                                        const std::function<TangentSpace(const Vec3&)>& field) {
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.vertex_count = 1024;
     for (const Vec3& p : mesh.positions) options.field.push_back(field(p));
     JudgedRemesh judged;
-    judged.remesh = make_surface_remesh(
+    judged.remesh = make_remesh(
         mesh, find_edges(mesh), options,
         [&](const FineMesh& fine) { return make_parallel_surface_engine(fine, scheduler_); },
         scheduler_);

@@ -12,11 +12,11 @@
 #include "bench/support/same_bytes.h"
 #include "core/mesh/curvature_field.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/coarse_mesh.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/site_descent.h"
-#include "core/surface/site_places.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/result/remesh.h"
+#include "core/surface/result/site_places.h"
+#include "core/surface/sites/site_descent.h"
+#include "core/surface/substrate/coarse_mesh.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/agreement.h"
@@ -322,16 +322,14 @@ TEST(SurfaceStages, PlaceSitesAlike) {
 }
 
 // By the reference alone, and by the incremental engine on all threads.
-void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges,
-                        const SurfaceRemeshOptions& options) {
-  const SurfaceRemesh expected =
-      make_surface_remesh(mesh, edges, options, make_reference_surface_engine);
+void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options) {
+  const Remesh expected = make_remesh(mesh, edges, options, make_reference_surface_engine);
   EXPECT_TRUE(expected.has_input_topology());
   for_schedulers([&](Scheduler& scheduler) {
     const auto make_engine = [&](const FineMesh& fine) {
       return make_parallel_surface_engine(fine, scheduler);
     };
-    const SurfaceRemesh remesh = make_surface_remesh(mesh, edges, options, make_engine, scheduler);
+    const Remesh remesh = make_remesh(mesh, edges, options, make_engine, scheduler);
     EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
     EXPECT_TRUE(same_bytes(remesh.mesh.positions, expected.mesh.positions));
     EXPECT_TRUE(same_bytes(remesh.edge_lengths, expected.edge_lengths));
@@ -341,7 +339,7 @@ void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges,
 TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
   const Mesh mesh = torus(1000, 1);
   const MeshEdges edges = find_edges(mesh);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = 60;
   options.field = curvature_field(mesh, edges);
   expect_same_remesh(mesh, edges, options);
@@ -349,7 +347,7 @@ TEST(SurfaceStages, MakeTheSameRemeshInAMetric) {
 
 TEST(SurfaceStages, MakeTheSameAdaptedRemesh) {
   const Mesh mesh = creature(under_sanitizer ? 2000 : 6000, 1);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = under_sanitizer ? 100 : 300;
   options.sizing.adapt = 1;
   expect_same_remesh(mesh, find_edges(mesh), options);

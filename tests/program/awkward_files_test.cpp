@@ -68,7 +68,7 @@ const std::vector<OddFile> odd_files = {
     {"OnlyBlankLines", "a.obj", "\n\n \n", "the file ends without a vertex"},
     {"OnlyZeros", "a.stl", std::string(84, '\0'), "the file ends without a vertex"},
     {"NoFaces", "a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "a point cloud has no surface"},
-    {"OnlyDegenerateTriangles", "a.off", replaced(off_text, "3 0 1 2", "3 0 0 1"), "nothing to tessellate"},
+    {"OnlyDegenerateTriangles", "a.off", replaced(off_text, "3 0 1 2", "3 0 0 1"), "nothing to relax"},
     {"NanInObj", "a.obj", replaced(obj_text, "v 1", "v nan"), "line 2: a coordinate is not finite"},
     {"NanInPly", "a.ply", replaced(ply_text, "\n1 0 0", "\n1 NaN 0"), "line 11: a coordinate is not finite"},
     {"InfInOff", "a.off", replaced(off_text, "\n1 0", "\n-inf 0"), "line 4: a coordinate is not finite"},
@@ -143,10 +143,10 @@ INSTANTIATE_TEST_SUITE_P(All, OddFiles, testing::ValuesIn(odd_files),
 
 // What is left of a file of text may be a smaller mesh: a result, then, or one line.
 TEST_F(Program, TruncatedFilesEndInAResultOrOneLine) {
-  const Mesh mesh = read_mesh(mesh_).mesh;
+  const Mesh mesh = read(mesh_).mesh;
   std::map<std::string, std::string> files = {{"ascii.ply", ply_text}, {"ascii.stl", stl_text}};
   for (const char* name : {"binary.ply", "binary.stl", "a.obj", "a.off"}) {
-    write_mesh(folder_.path() / name, mesh);
+    write(folder_.path() / name, mesh);
     files[name] = read_file(folder_.path() / name);
   }
   for (const auto& [name, bytes] : files) {

@@ -99,7 +99,7 @@ const std::vector<OddMesh> odd_meshes = {
 
 class OddMeshes : public testing::TestWithParam<OddMesh> {
  protected:
-  void SetUp() override { write_mesh(folder_.path() / "odd.off", GetParam().mesh); }
+  void SetUp() override { write(folder_.path() / "odd.off", GetParam().mesh); }
 
   // On that mesh, with that many seeds.
   [[nodiscard]] Outcome run(const std::string& command, const std::string& options) const {
@@ -128,8 +128,8 @@ TEST_P(OddMeshes, BecomeWhatTheTableSays) {
   EXPECT_EQ(report["end"], "converged");
   const auto seeds = lines_of(path("out/seeds.csv"));
   EXPECT_EQ(seeds.size(), static_cast<std::size_t>(GetParam().seeds) + 1);
-  EXPECT_EQ(read_mesh(path("out/tessellation.ply")).mesh.positions, GetParam().mesh.positions);
-  EXPECT_FALSE(read_mesh(path("out/remesh.ply")).mesh.triangles.empty());
+  EXPECT_EQ(read(path("out/tessellation.ply")).mesh.positions, GetParam().mesh.positions);
+  EXPECT_FALSE(read(path("out/dual.ply")).mesh.triangles.empty());
 
   const Outcome verified = run("verify", "");
   EXPECT_EQ(verified.status, 0) << verified.text;

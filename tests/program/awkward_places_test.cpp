@@ -109,7 +109,7 @@ const BadPlace bad_places[] = {
     {"FramesOfAnotherRun", "mkdir f; echo x > f/000-greedy.png", "$P relax torus.ply -k 4 -o out --frames f", "f/000-greedy.png: is a frame of another run"},
     {"FramesInAFile", "touch f", "$P relax torus.ply -k 4 -o out --frames f", "f: cannot make folder"},
     {"ResultOverItsMesh", "mkdir out; cp torus.ply out/tessellation.ply", "$P relax out/tessellation.ply -k 4 -o out", "would be overwritten"},
-    {"ResultOverItsMeshByALink", "mkdir out; ln torus.ply out/remesh.ply", "$P relax torus.ply -k 4 -o out", "would be overwritten"},
+    {"ResultOverItsMeshByALink", "mkdir out; ln torus.ply out/dual.ply", "$P relax torus.ply -k 4 -o out", "would be overwritten"},
     {"ResultOverItsField", "{ echo k1; for i in $(seq 1000); do echo 1 1 1 0 0 0 1 0; done; } > seeds.csv", "$P relax torus.ply -k 4 --vfield seeds.csv -o .", "would be overwritten"},
     {"FinerMeshOverItsMesh", ":", "$P subdivide torus.ply -s midpoint -o torus.ply", "torus.ply: would be overwritten"},
     {"FinerMeshOverItsMeshByALink", "ln -s torus.ply a.ply", "$P subdivide a.ply -s midpoint -o torus.ply", "a.ply: would be overwritten"},
@@ -214,7 +214,7 @@ TEST_F(Places, AFullDiskKeepsWhatItHad) {
 TEST_F(Places, ClosedStreamsSpoilNoFile) {
   ASSERT_EQ(relax("--seeds 20").status, 0);
   EXPECT_EQ(sh("$P relax torus.ply -k 20 -o closed <&- >&- 2>&-").status, 2);
-  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply"}) {
+  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "dual.ply"}) {
     EXPECT_EQ(read_file(out("closed") / name), read_file(out() / name)) << name;
   }
 }
@@ -233,7 +233,7 @@ TEST_F(Places, ALostPictureLosesNoResult) {
                    "a.png: cannot write: File too large");
   EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
   EXPECT_TRUE(fs::exists(out() / "report.json"));
-  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply"}) {
+  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "dual.ply"}) {
     EXPECT_EQ(read_file(out() / name), read_file(out("whole") / name)) << name;
   }
 }
@@ -293,7 +293,7 @@ TEST_F(Places, ADecimalCommaChangesNothing) {
   EXPECT_EQ(read_file(folder_.path() / "fine.obj"), read_file(folder_.path() / "plain.obj"));
   const Outcome outcome = sh(german + "$P relax torus.ply -k 20 -o german");
   EXPECT_EQ(outcome.status, 0) << outcome.text;
-  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply"}) {
+  for (const char* name : {"tessellation.ply", "seeds.csv", "regions.csv", "dual.ply"}) {
     EXPECT_EQ(read_file(out("german") / name), read_file(out() / name)) << name;
   }
   EXPECT_EQ(sh(german + "$P relax torus.ply --seeds-file german/seeds.csv -o again").status, 0);

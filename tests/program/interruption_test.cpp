@@ -29,7 +29,7 @@
 namespace geolloyd {
 namespace {
 
-const std::set<std::string> result_names = {"regions.csv", "remesh.ply", "report.json", "seeds.csv",
+const std::set<std::string> result_names = {"regions.csv", "dual.ply", "report.json", "seeds.csv",
                                             "tessellation.ply"};
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -107,7 +107,7 @@ class Interruption : public Program {
     EXPECT_EQ(course_in(out(name)), expected);
     EXPECT_EQ(read_file(out(name) / "seeds.csv"), read_file(out("whole") / "seeds.csv"));
     EXPECT_EQ(read_file(out(name) / "regions.csv"), read_file(out("whole") / "regions.csv"));
-    EXPECT_EQ(read_file(out(name) / "remesh.ply"), read_file(out("whole") / "remesh.ply"));
+    EXPECT_EQ(read_file(out(name) / "dual.ply"), read_file(out("whole") / "dual.ply"));
   }
 
   static constexpr std::uint64_t random_seed = 20;
@@ -318,7 +318,7 @@ TEST_F(Interruption, LeavesNothingOrAMarkedRemesh) {
       continue;
     }
     const nlohmann::json report = nlohmann::json::parse(bytes("r.json"));
-    const Mesh made = read_mesh(folder / "r.ply").mesh;
+    const Mesh made = read(folder / "r.ply").mesh;
     EXPECT_EQ(made.vertex_count(), report["remesh"]["vertices"]);
     EXPECT_EQ(lines_of(folder / "r.csv").size(), made.vertex_count() + 1);
     EXPECT_EQ(report["remesh"]["has_input_topology"], true);
@@ -342,7 +342,7 @@ TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
   const std::string seeds = " --seeds-file " + (out("whole") / "seeds.csv").string();
   const std::string target = (folder_.path() / "target").string();
   const auto is_json = [](const fs::path& p) { return nlohmann::json::accept(read_file(p)); };
-  const auto is_mesh = [](const fs::path& p) { return read_mesh(p).mesh.triangle_count() > 1000; };
+  const auto is_mesh = [](const fs::path& p) { return read(p).mesh.triangle_count() > 1000; };
   const auto is_png = [](const fs::path& p) {
     return read_file(p).find("IEND") != std::string::npos;
   };
@@ -354,7 +354,7 @@ TEST_F(Interruption, LeavesNoFileHalfWrittenWhateverTheCommand) {
       {"quality " + mesh + " --original " + mesh + " --samples 50000 --output " + target +
            "/q.json",
        is_json},
-      {"render " + mesh + seeds + " --size 400 --panel regions --panel remesh -o " + target +
+      {"render " + mesh + seeds + " --size 400 --panel regions --panel dual -o " + target +
            "/p.png",
        is_png},
       {"ground-truth " + mesh + seeds + " --output " + target + "/g", {}},

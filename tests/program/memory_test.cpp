@@ -281,7 +281,7 @@ TEST_F(Program, FinishesWithTheMemoryItAsksFor) {
           relax + "2 -g vertex-far --norm linf --vfield cross", relax + "2 --engine reference",
           relax + "2 --frontier delta", relax + "1 --ground-truth", relax + "2 --ground-truth",
           relax + "16 --ground-truth", relax + "2 --backend openmp --ground-truth",
-          relax + "2 -g triangle --remesh-vertices centroids",
+          relax + "2 -g triangle --dual-vertices centroids",
           relax + "2 --picture " + picture + " --size 256",
           "render " + mesh + " --size 256 -o " + picture, "quality " + mesh,
           "quality " + mesh + " --original " + mesh}) {
@@ -298,8 +298,7 @@ TEST_F(Program, HoldsNoMoreMemoryThanEstimatedAndNotMuchLess) {
   for (const std::string options :
        {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed", "vertex-far",
         "vertex-far --norm linf --vfield cross", "vertex --engine reference",
-        "vertex --frontier delta", "triangle --remesh-vertices centroids",
-        "vertex --ground-truth"}) {
+        "vertex --frontier delta", "triangle --dual-vertices centroids", "vertex --ground-truth"}) {
     const Outcome outcome =
         relax("-k 500 --threads 2 --max-greedy-steps 2 --max-macrosteps 1 -g " + options);
     ASSERT_EQ(outcome.status, 0) << outcome.text;

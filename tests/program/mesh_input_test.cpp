@@ -11,7 +11,7 @@ class MeshInput : public Program {
  protected:
   // The torus under another name, and so in another format.
   [[nodiscard]] fs::path torus_as(const char* name) const {
-    write_mesh(out(name), read_mesh(mesh_).mesh);
+    write(out(name), read(mesh_).mesh);
     return out(name);
   }
 
@@ -79,8 +79,8 @@ TEST_F(MeshInput, OfAFolderMayBePacked) {
   const std::string start = "remesh-all " + out("meshes").string() + " --vertices 12 -o ";
   const Outcome same = geolloyd_with(start + out("same").string());
   EXPECT_EQ(same.status, 0) << same.text;
-  EXPECT_EQ(read_mesh(out("same") / "a.ply.gz").mesh.positions,
-            read_mesh(out("same") / "b.off.zst").mesh.positions);
+  EXPECT_EQ(read(out("same") / "a.ply.gz").mesh.positions,
+            read(out("same") / "b.off.zst").mesh.positions);
   const Outcome other = geolloyd_with(start + out("other").string() + " --format obj");
   EXPECT_EQ(other.status, 0) << other.text;
   EXPECT_TRUE(fs::exists(out("other") / "a.obj"));

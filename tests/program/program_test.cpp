@@ -32,10 +32,10 @@ TEST_F(Program, RelaxWritesAllItsResults) {
   EXPECT_EQ(seeds[0], "input_id,kind,x,y,z,nodes,area,energy");
   const auto regions = lines_of(out() / "regions.csv");
   EXPECT_EQ(regions[0], "input_id,kind,region,distance");
-  const Mesh mesh = read_mesh(mesh_).mesh;
+  const Mesh mesh = read(mesh_).mesh;
   EXPECT_EQ(regions.size(), mesh.vertex_count() + 1);
 
-  const Mesh written = read_mesh(out() / "tessellation.ply").mesh;
+  const Mesh written = read(out() / "tessellation.ply").mesh;
   EXPECT_EQ(written.triangles, mesh.triangles);
   EXPECT_EQ(written.positions, mesh.positions);
   std::size_t files = 0;
@@ -68,14 +68,14 @@ TEST_F(Program, ReportHasTheKeysThatScriptsRelyOn) {
 
 TEST_F(Program, RemeshIsAManifoldOfTheInputsTopology) {
   for (const std::string vertices : {"seeds", "centroids"}) {
-    const Outcome outcome = relax("--seeds 2 -g mixed --remesh-vertices " + vertices);
+    const Outcome outcome = relax("--seeds 2 -g mixed --dual-vertices " + vertices);
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     EXPECT_NE(outcome.text.find("manifold"), std::string::npos) << outcome.text;
-    const Mesh remesh = read_mesh(out() / "remesh.ply").mesh;
+    const Mesh remesh = read(out() / "dual.ply").mesh;
     const MeshTopology topology = find_topology(remesh, find_edges(remesh));
     EXPECT_TRUE(topology.is_manifold());
     EXPECT_EQ(topology.parts, (std::vector<PartTopology>{{0, 0}}));
-    const nlohmann::json told = report_in(out())["remesh"];
+    const nlohmann::json told = report_in(out())["dual"];
     EXPECT_EQ(told["vertices"], remesh.vertex_count());
     EXPECT_EQ(told["seeds_added"], remesh.vertex_count() - 2);
     EXPECT_EQ(told["is_manifold"], true);
@@ -91,14 +91,14 @@ TEST_F(Program, TellsWhyTheRemeshIsNoManifold) {
   const Outcome outcome = relax("--seeds 2 --no-manifold");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("NO MANIFOLD"), std::string::npos) << outcome.text;
-  const nlohmann::json told = report_in(out())["remesh"];
+  const nlohmann::json told = report_in(out())["dual"];
   EXPECT_NE(outcome.text.find("NOT OF THE INPUT'S TOPOLOGY"), std::string::npos) << outcome.text;
   EXPECT_EQ(told["is_manifold"], false);
   EXPECT_EQ(told["has_input_topology"], false);
   EXPECT_EQ(told["input_is_manifold"], true);
   EXPECT_NE(told["flaw"].get<std::string>().find("--no-manifold"), std::string::npos);
   EXPECT_EQ(told["closed_ball_violations_found"], told["closed_ball_violations_left"]);
-  EXPECT_EQ(read_mesh(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
+  EXPECT_EQ(read(out() / "tessellation.ply").mesh.triangle_count(), 2000U);
 }
 
 // Two spheres that touch in a vertex: of the input's topology, but neither is a manifold.
@@ -115,12 +115,12 @@ TEST_F(Program, TellsApartAManifoldAndTheTopologyOfTheInput) {
     touching.triangles.push_back(copy);
   }
   const auto file = folder_.path() / "touching.ply";
-  write_mesh(file, touching);
+  write(file, touching);
   const Outcome outcome =
       geolloyd_with("relax " + file.string() + " --seeds 40 -o " + out().string());
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("the input is no manifold"), std::string::npos) << outcome.text;
-  const nlohmann::json told = report_in(out())["remesh"];
+  const nlohmann::json told = report_in(out())["dual"];
   EXPECT_EQ(told["is_manifold"], false);
   EXPECT_EQ(told["has_input_topology"], true);
   EXPECT_EQ(told["input_is_manifold"], false);
@@ -223,10 +223,9 @@ TEST_F(Program, WarnsInOneLineWhereRegionsAreTooSmallForAGoodRemesh) {
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     return outcome.text;
   };
-  EXPECT_EQ(said("--seeds 101"),
-            mesh_.string() +
-                ": 1,000 nodes for 101 seeds: with fewer than 10 a seed the "
-                "remesh will be poor: subdivide the mesh, or use fewer seeds\n");
+  EXPECT_EQ(said("--seeds 101"), mesh_.string() +
+                                     ": 1,000 nodes for 101 seeds: with fewer than 10 a seed the "
+                                     "dual will be poor: subdivide the mesh, or use fewer seeds\n");
   EXPECT_EQ(said("--seeds 100"), "");
   EXPECT_EQ(said("--seeds 101 -g triangle"), "");
 }
@@ -324,19 +323,19 @@ TEST_F(Program, JoinsTrianglesOfTheRemesh) {
   const auto left = quads["triangles"].get<std::size_t>();
   EXPECT_GT(joined, left);
   EXPECT_GE(quads["smallest_angle"], 29.9);
-  EXPECT_EQ(2 * joined + left, report_in(out("quads"))["remesh"]["triangles"]);
-  EXPECT_NE(read_file(out("quads") / "remesh.ply")
+  EXPECT_EQ(2 * joined + left, report_in(out("quads"))["dual"]["triangles"]);
+  EXPECT_NE(read_file(out("quads") / "dual.ply")
                 .find("element face " + std::to_string(joined + left) + "\n"),
             std::string::npos);
-  const Mesh mesh = read_mesh(out("quads") / "remesh.ply").mesh;
+  const Mesh mesh = read(out("quads") / "dual.ply").mesh;
   EXPECT_EQ(mesh.triangle_count(), 2 * joined + left);
-  EXPECT_EQ(mesh.vertex_count(), read_mesh(out("triangles") / "remesh.ply").mesh.vertex_count());
+  EXPECT_EQ(mesh.vertex_count(), read(out("triangles") / "dual.ply").mesh.vertex_count());
 }
 
 TEST_F(Program, StretchesRegionsAlongAField) {
   const fs::path plane = folder_.path() / "plane.ply";
   ASSERT_EQ(geolloyd_with("generate plane -t 20000 -o " + plane.string()).status, 0);
-  const Mesh mesh = read_mesh(plane).mesh;
+  const Mesh mesh = read(plane).mesh;
   std::string field = "k1 k2 k1v_x k1v_y k1v_z k2v_x k2v_y k2v_z\n";
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) field += "3 1 1 0 0 0 1 0\n";
   mesh_ = plane;
@@ -434,11 +433,11 @@ TEST_P(Interrupt, EndsWithAMarkedResultThatCanBeContinued) {
   EXPECT_EQ(report["interrupted"], true);
   EXPECT_LE(report["energy"], report["energy_initial"]);
   std::size_t violations = 0;
-  for (const nlohmann::json& count : report["remesh"]["closed_ball_violations_found"]) {
+  for (const nlohmann::json& count : report["dual"]["closed_ball_violations_found"]) {
     violations += count.get<std::size_t>();
   }
   const bool needs_seeds = violations > 0;
-  EXPECT_EQ(report["remesh"]["interrupted"], needs_seeds);
+  EXPECT_EQ(report["dual"]["interrupted"], needs_seeds);
   EXPECT_EQ(read_file(folder_.path() / "text").find("INTERRUPTED while seeds were added") !=
                 std::string::npos,
             needs_seeds);
@@ -474,7 +473,7 @@ TEST_F(Program, SubdividesAndInforms) {
   const Outcome outcome = geolloyd_with("subdivide " + mesh_.string() +
                                         " -s midpoint -s barycentric -o " + finer.string());
   ASSERT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_EQ(read_mesh(finer).mesh.triangle_count(), 2000U * 4 * 6);
+  EXPECT_EQ(read(finer).mesh.triangle_count(), 2000U * 4 * 6);
   const Outcome info = geolloyd_with("info " + finer.string());
   EXPECT_EQ(info.status, 0);
   EXPECT_NE(info.text.find("48,000 triangles"), std::string::npos) << info.text;
@@ -487,7 +486,7 @@ TEST_F(Program, SubdividesWhatFollowsTheSchemes) {
   const Outcome outcome =
       geolloyd_with("subdivide -s midpoint,barycentric " + mesh_.string() + " -o " + finer);
   ASSERT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_EQ(read_mesh(finer).mesh.triangle_count(), 2000U * 4 * 6);
+  EXPECT_EQ(read(finer).mesh.triangle_count(), 2000U * 4 * 6);
 }
 
 // A folder that is there may be called anything.
@@ -520,7 +519,7 @@ TEST_F(Program, HelpAndVersionAreNoErrors) {
 TEST_F(Program, WritesOnlyWhatIsAskedFor) {
   ASSERT_EQ(relax("--seeds 20", "all").status, 0);
   for (const std::string file :
-       {"tessellation.ply", "seeds.csv", "regions.csv", "remesh.ply", "report.json"}) {
+       {"tessellation.ply", "seeds.csv", "regions.csv", "dual.ply", "report.json"}) {
     SCOPED_TRACE(file);
     const std::string name = file.substr(0, file.find('.'));
     const Outcome outcome = relax("--seeds 20 --only " + name, name);
@@ -530,25 +529,25 @@ TEST_F(Program, WritesOnlyWhatIsAskedFor) {
     EXPECT_EQ(std::distance(fs::directory_iterator(out(name)), {}), 1);
     if (name == "report") {
       EXPECT_EQ(report_in(out(name))["fingerprint"], report_in(out("all"))["fingerprint"]);
-      EXPECT_EQ(report_in(out(name))["remesh"], report_in(out("all"))["remesh"]);
+      EXPECT_EQ(report_in(out(name))["dual"], report_in(out("all"))["dual"]);
     } else {
       EXPECT_EQ(read_file(out(name) / file), read_file(out("all") / file));
     }
   }
-  const Outcome two = relax("--seeds 20 --only remesh,seeds", "two");
-  EXPECT_NE(two.text.find("two/: seeds.csv remesh.ply\n"), std::string::npos) << two.text;
-  EXPECT_NE(two.text.find("\n  remesh "), std::string::npos) << two.text;
+  const Outcome two = relax("--seeds 20 --only dual,seeds", "two");
+  EXPECT_NE(two.text.find("two/: seeds.csv dual.ply\n"), std::string::npos) << two.text;
+  EXPECT_NE(two.text.find("\n  dual "), std::string::npos) << two.text;
   const Outcome none = relax("--seeds 20 --only seeds", "none");
-  EXPECT_EQ(none.text.find("\n  remesh "), std::string::npos) << none.text;
+  EXPECT_EQ(none.text.find("\n  dual "), std::string::npos) << none.text;
 }
 
 // What is left of it would look like a part of this run's result.
 TEST_F(Program, RemovesFilesOfAnEarlierRunThatAreNotAskedFor) {
   ASSERT_EQ(relax("--seeds 20").status, 0);
   const std::string seeds = (out() / "seeds.csv").string();
-  expect_complaint(relax("--only remesh --seeds-file " + seeds), "would be overwritten");
+  expect_complaint(relax("--only dual --seeds-file " + seeds), "would be overwritten");
   EXPECT_TRUE(fs::exists(out() / "report.json"));
-  const Outcome outcome = relax("--seeds 30 --only remesh,regions");
+  const Outcome outcome = relax("--seeds 30 --only dual,regions");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("out/: tessellation.ply seeds.csv report.json, of an earlier run"),
             std::string::npos)
@@ -558,7 +557,7 @@ TEST_F(Program, RemovesFilesOfAnEarlierRunThatAreNotAskedFor) {
 
 TEST_F(Program, ListsTheOutputsThereAre) {
   expect_complaint(relax("--seeds 20 --only seeds,remsh"),
-                   "--only: remsh not in {tessellation,seeds,regions,remesh,report}");
+                   "--only: dul not in {tessellation,seeds,regions,dual,report}");
   expect_complaint(relax("--seeds 20 --only ''"), "--only");
   EXPECT_FALSE(fs::exists(out()));
 }

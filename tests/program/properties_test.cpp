@@ -20,7 +20,7 @@
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
 #include "tools/render/surface_colours.h"
-#include "tools/run/carrying.h"
+#include "tools/run/attribute_transfer.h"
 #include "tools/system/memory_estimate.h"
 
 namespace geolloyd {
@@ -67,7 +67,7 @@ class Carrying : public Program {
 
   void write_sample(const Mesh& mesh) {
     mesh_ = file("sample.ply");
-    write_mesh(mesh_, mesh, sample_properties(mesh));
+    write(mesh_, mesh, sample_properties(mesh));
   }
 
   [[nodiscard]] Outcome remesh(const std::string& options,
@@ -75,7 +75,7 @@ class Carrying : public Program {
     return geolloyd_with("remesh " + mesh_.string() + " -o " + file(name).string() + " " + options);
   }
 
-  static LoadedMesh read(const fs::path& path) { return read_mesh(path, {true}); }
+  static LoadedMesh read(const fs::path& path) { return read(path, {true}); }
 
   static void expect_text(const Outcome& outcome, const std::string& text) {
     EXPECT_NE(outcome.text.find(text), std::string::npos) << text << "\n" << outcome.text;
@@ -128,7 +128,7 @@ TEST_F(Carrying, TessellationHasAllPropertiesUnchanged) {
   add("f", -std::numeric_limits<float>::infinity());
   add("d", std::numeric_limits<double>::quiet_NaN());
   mesh_ = file("all.ply");
-  write_mesh(mesh_, mesh, properties);
+  write(mesh_, mesh, properties);
   for (const char* graph : {"vertex", "triangle", "mixed"}) {
     SCOPED_TRACE(graph);
     const Outcome outcome = relax(std::string("-k 20 -g ") + graph, graph);
@@ -192,11 +192,11 @@ TEST_F(Carrying, RemeshesOfPlanesInterpolateExactly) {
   write_sample(irregular_plane(3000, 1));
   ASSERT_EQ(remesh("-n 150").status, 0);
   expect_linear(read(file("r.ply")), 1e-12);
-  for (const char* options : {"-k 40", "-k 40 -g triangle", "-k 40 --remesh-vertices centroids"}) {
+  for (const char* options : {"-k 40", "-k 40 -g triangle", "-k 40 --dual-vertices centroids"}) {
     SCOPED_TRACE(options);  // at the boundary vertices have left their seeds
     const std::string name = "out" + std::to_string(std::strlen(options));
     ASSERT_EQ(relax(options, name).status, 0);
-    expect_linear(read(out(name) / "remesh.ply"), 1e-12);
+    expect_linear(read(out(name) / "dual.ply"), 1e-12);
   }
 }
 
@@ -204,7 +204,7 @@ TEST_F(Carrying, RelaxTakesSeedsAsTheyAre) {
   write_sample(icosphere(3000));
   ASSERT_EQ(relax("-k 60").status, 0);
   const LoadedMesh input = read(mesh_);
-  const LoadedMesh made = read(out() / "remesh.ply");
+  const LoadedMesh made = read(out() / "dual.ply");
   const auto lines = lines_of(out() / "seeds.csv");
   for (std::size_t r = 0; r + 1 < lines.size(); ++r) {
     const std::size_t seed = std::stoul(lines[r + 1]);
@@ -286,7 +286,7 @@ TEST_F(Carrying, DropLeavesPropertiesOut) {
   ASSERT_EQ(relax("-k 30 --drop").status, 0);
   EXPECT_EQ(list_names(read(out() / "tessellation.ply").properties.of_vertices),
             "red, green, blue, region");
-  EXPECT_TRUE(read(out() / "remesh.ply").properties.empty());
+  EXPECT_TRUE(read(out() / "dual.ply").properties.empty());
 }
 
 TEST_F(Carrying, ReportsNameWhatWasCarried) {
@@ -317,7 +317,7 @@ TEST_F(Carrying, ThreadsAndEnginesDoNotMatter) {
     EXPECT_EQ(read_file(file("b.ply")), read_file(file("a.ply"))) << options;
     const std::string name = "b" + std::to_string(options.size());
     ASSERT_EQ(relax("-k 30 " + options, name).status, 0);
-    for (const char* result : {"tessellation.ply", "remesh.ply"}) {
+    for (const char* result : {"tessellation.ply", "dual.ply"}) {
       EXPECT_EQ(read_file(out(name) / result), read_file(out("a") / result)) << options;
     }
   }
@@ -330,7 +330,7 @@ TEST_F(Carrying, NumbersThatAreNoneStayWhereTheyAre) {
   for (std::size_t v = 0; v < q.size(); ++v) {
     if (mesh.positions[v].z() > 0) q[v] = std::numeric_limits<double>::quiet_NaN();
   }
-  write_mesh(mesh_, mesh, properties);
+  write(mesh_, mesh, properties);
   ASSERT_EQ(remesh("-n 60 --no-fit").status, 0);
   const LoadedMesh made = read(file("r.ply"));
   for (std::size_t v = 0; v < made.mesh.vertex_count(); ++v) {
@@ -388,8 +388,8 @@ TEST_F(Carrying, PicturesShowColours) {
   ASSERT_EQ(render("surface", "own.png").status, 0);
   ASSERT_EQ(render("mesh", "edges.png").status, 0);
   ASSERT_EQ(render("surface --drop", "dropped.png").status, 0);
-  const Mesh plain = read_mesh(mesh_).mesh;
-  write_mesh(mesh_, plain);
+  const Mesh plain = read(mesh_).mesh;
+  write(mesh_, plain);
   ASSERT_EQ(render("surface", "plain.png").status, 0);
   EXPECT_NE(read_file(file("own.png")), read_file(file("plain.png")));
   EXPECT_EQ(read_file(file("dropped.png")), read_file(file("plain.png")));

@@ -87,7 +87,7 @@ TEST_F(RemeshingAll, RecordsEachMesh) {
   const nlohmann::json& row = record["rows"][1];
   EXPECT_EQ(row["input"], (meshes() / "a.ply").string());
   EXPECT_EQ(row["output"], (out() / "a.ply").string());
-  EXPECT_EQ(row["triangles"], read_mesh(meshes() / "a.ply").mesh.triangle_count());
+  EXPECT_EQ(row["triangles"], read(meshes() / "a.ply").mesh.triangle_count());
   EXPECT_EQ(row["error"], nullptr);
   const auto report = nlohmann::json::parse(read_file(out() / "a.ply.json"));
   EXPECT_EQ(row["remesh_vertices"], report["remesh"]["vertices"]);
@@ -156,7 +156,7 @@ TEST_F(RemeshingAll, EndsInGoodOrder) {
     }
     for (const auto& entry : fs::directory_iterator(out(name))) {
       if (!has_mesh_name(entry.path())) continue;
-      EXPECT_EQ(read_mesh(entry.path()).mesh.vertex_count(), 1500U);
+      EXPECT_EQ(read(entry.path()).mesh.vertex_count(), 1500U);
     }
   }
 }

@@ -54,7 +54,7 @@ TEST_F(Remeshing, WritesAllItsFiles) {
   for (const char* name : {"r.ply", "r.json", "r.csv", "r.png"}) {
     expect_text(outcome, file(name).string());
   }
-  const Mesh made = read_mesh(file("r.ply")).mesh;
+  const Mesh made = read(file("r.ply")).mesh;
   EXPECT_EQ(made.vertex_count(), 150U);
   const MeshTopology topology = topology_of(made);
   EXPECT_TRUE(topology.is_manifold());
@@ -66,8 +66,8 @@ TEST_F(Remeshing, WritesAllItsFiles) {
 // Each vertex is where the map says.
 TEST_F(Remeshing, MapsItsVerticesOntoTheInput) {
   ASSERT_EQ(remesh("--vertices 150 --no-fit --map " + file("r.csv").string()).status, 0);
-  const Mesh input = read_mesh(mesh_).mesh;
-  const Mesh made = read_mesh(file("r.ply")).mesh;
+  const Mesh input = read(mesh_).mesh;
+  const Mesh made = read(file("r.ply")).mesh;
   const auto lines = lines_of(file("r.csv"));
   ASSERT_EQ(lines.size(), 151U);
   EXPECT_EQ(lines[0], "vertex,triangle,weight_0,weight_1,weight_2");
@@ -109,7 +109,7 @@ TEST_F(Remeshing, ReportHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(told["vertices"], 150);
   EXPECT_EQ(told["triangles"], 300);
   EXPECT_EQ(told["surplus_vertices"], 0);
-  EXPECT_EQ(told["chain_vertices"], 0);
+  EXPECT_EQ(told["curve_vertices"], 0);
   EXPECT_EQ(told["is_manifold"], true);
   EXPECT_EQ(told["has_input_topology"], true);
   EXPECT_EQ(told["input_is_manifold"], true);
@@ -169,14 +169,14 @@ TEST_F(Remeshing, KeepsSharpEdges) {
 }
 
 TEST_F(Remeshing, KeepsEdgesAndVerticesOfFiles) {
-  const Mesh input = read_mesh(mesh_).mesh;
+  const Mesh input = read(mesh_).mesh;
   const auto& [a, b, c] = input.triangles[100];
   write_list(file("edges.txt"), "# one\n\n" + std::to_string(a) + " " + std::to_string(b) + "\n");
   write_list(file("fixed.txt"), std::to_string(c) + "\n7\n");
   const nlohmann::json report = report_of("-n 300 --feature-edges " + file("edges.txt").string() +
                                           " --fixed " + file("fixed.txt").string());
   EXPECT_GE(report["remesh"]["feature_edges"], 1);
-  const Mesh made = read_mesh(file("r.ply")).mesh;
+  const Mesh made = read(file("r.ply")).mesh;
   for (const VertexId v : {a, b, c, VertexId{7}}) {
     EXPECT_NE(std::find(made.positions.begin(), made.positions.end(), input.positions[v]),
               made.positions.end())
@@ -205,7 +205,7 @@ TEST_F(Remeshing, RefusesFilesThatDoNotFit) {
 TEST_F(Remeshing, HasEdgesOfTheLengthAskedFor) {
   for (const double length : {0.1, 0.25}) {
     const nlohmann::json report = report_of("--edge-length " + std::to_string(length));
-    const Mesh made = read_mesh(file("r.ply")).mesh;
+    const Mesh made = read(file("r.ply")).mesh;
     const MeshEdges edges = find_edges(made);
     double sum = 0;
     for (const auto& [a, b] : edges.ends) sum += norm(made.positions[a] - made.positions[b]);
@@ -223,7 +223,7 @@ std::string ramp_for(const Mesh& mesh) {
 }
 
 TEST_F(Remeshing, FollowsSizes) {
-  const std::string lines = ramp_for(read_mesh(mesh_).mesh);
+  const std::string lines = ramp_for(read(mesh_).mesh);
   write_list(file("sizes.txt"), lines);
   const nlohmann::json alone = report_of("--sizing " + file("sizes.txt").string());
   const nlohmann::json ratios = alone["edge_length_ratios"];
@@ -252,7 +252,7 @@ TEST_F(Remeshing, FollowsATangentField) {
   EXPECT_GT(curved["quality_in_metric"]["mean_quality"], curved["quality"]["mean_quality"]);
   EXPECT_TRUE(report_of("-n 40")["quality_in_metric"].is_null());
 
-  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "2 1"));
+  write_list(file("a.vfield"), field_for(read(mesh_).mesh, "2 1"));
   const std::string field = " --vfield " + file("a.vfield").string();
   EXPECT_EQ(report_of("-n 60" + field)["remesh"]["vertices"], 60);
   const nlohmann::json by_length = report_of("--edge-length 0.3" + field);
@@ -273,9 +273,9 @@ TEST_F(Remeshing, RefusesFieldsThatDoNotFit) {
     expect_complaint(remesh(options), message);
   };
   const std::string field = "-n 100 --vfield " + file("a.vfield").string();
-  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "0 1"));
+  write_list(file("a.vfield"), field_for(read(mesh_).mesh, "0 1"));
   expect_refused("field: vertex 0 has the principal magnitudes 0 and 1", field);
-  write_list(file("a.vfield"), field_for(read_mesh(mesh_).mesh, "1000 1"));
+  write_list(file("a.vfield"), field_for(read(mesh_).mesh, "1000 1"));
   expect_refused("one at most 100 times the other", field);
   write_list(file("a.vfield"), "k1 k2 ax ay az bx by bz\n1 1 1 0 0 0 1 0\n");
   expect_refused("a.vfield", field);
@@ -286,7 +286,7 @@ TEST_F(Remeshing, RefusesFieldsThatDoNotFit) {
 }
 
 TEST_F(Remeshing, RefusesSizesThatDoNotFit) {
-  const std::string lines = ramp_for(read_mesh(mesh_).mesh);
+  const std::string lines = ramp_for(read(mesh_).mesh);
   const std::string name = file("sizes.txt").string();
   const auto expect_refused = [&](const std::string& text, const std::string& options) {
     const Outcome outcome = remesh(options);
@@ -366,7 +366,7 @@ TEST_F(Remeshing, WritesEveryFormatAndReplacesWhatWasThere) {
   for (const std::string name : {"r.obj", "r.off", "r.stl", "r.ply"}) {
     for (const std::string vertices : {"60", "90"}) {
       ASSERT_EQ(remesh("-n " + vertices, name).status, 0);
-      const Mesh made = read_mesh(file(name)).mesh;
+      const Mesh made = read(file(name)).mesh;
       EXPECT_EQ(made.vertex_count(), std::stoul(vertices)) << name;
       EXPECT_EQ(made.triangle_count(), 2 * std::stoul(vertices)) << name;
     }
@@ -395,7 +395,7 @@ TEST_F(Remeshing, SaysHowItHandlesAnInputThatIsNoManifold) {
 TEST_F(Remeshing, SaysHowManyMoreVerticesTheTopologyNeeds) {
   const Outcome outcome = remesh("-n 4 --report " + file("r.json").string());
   ASSERT_EQ(outcome.status, 0) << outcome.text;
-  const std::size_t count = read_mesh(file("r.ply")).mesh.vertex_count();
+  const std::size_t count = read(file("r.ply")).mesh.vertex_count();
   ASSERT_GE(count, 7U);  // no torus has fewer
   expect_text(outcome, std::to_string(count - 4) +
                            " vertices more than asked for, which the topology "

@@ -19,7 +19,7 @@ class Repairing : public Program {
   void SetUp() override {
     Program::SetUp();
     // A hole of one triangle, turned triangles, a copy, and one triangle with vertices of its own.
-    whole_ = read_mesh(mesh_).mesh;
+    whole_ = read(mesh_).mesh;
     Mesh mesh = whole_;
     for (std::size_t t = 0; t < 100; ++t) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
     for (VertexId& v : mesh.triangles[300]) {
@@ -30,7 +30,7 @@ class Repairing : public Program {
     mesh.triangles.push_back(mesh.triangles[400]);
     mesh.triangles.erase(mesh.triangles.begin() + 500);
     flawed_ = folder_.path() / "flawed.ply";
-    write_mesh(flawed_, mesh);
+    write(flawed_, mesh);
   }
 
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_.path() / name; }
@@ -68,7 +68,7 @@ TEST_F(Repairing, WritesTheRepairedMeshItsMapAndReport) {
   expect_text(outcome, "  repaired    3 vertices merged with others in the same place\n");
   expect_text(outcome, "  repaired    1 hole filled with 1 triangle\n");
   expect_text(outcome, "0 boundary loops, manifold");
-  const Mesh made = read_mesh(file("r.ply")).mesh;
+  const Mesh made = read(file("r.ply")).mesh;
   EXPECT_EQ(topology_of(made), topology_of(whole_));
   const nlohmann::json report = json("r.json");
   expect_repairs(report["repairs"]);
@@ -101,7 +101,7 @@ TEST_F(Repairing, AppliesToTessellations) {
   expect_text(outcome, "  repaired    3 vertices merged");
   expect_repairs(json("out/report.json")["repairs"]);
   // The tessellation is one of the repaired mesh.
-  EXPECT_EQ(topology_of(read_mesh(out() / "tessellation.ply").mesh), topology_of(whole_));
+  EXPECT_EQ(topology_of(read(out() / "tessellation.ply").mesh), topology_of(whole_));
 }
 
 TEST_F(Repairing, ChangesNothingOnACleanMesh) {
@@ -156,18 +156,18 @@ TEST_F(Repairing, NeedsAnAreaToRemesh) {
 
 // Each vertex knows its x, each triangle the number of its row of ten.
 TEST_F(Repairing, KeepsProperties) {
-  const Mesh flawed = read_mesh(flawed_).mesh;
+  const Mesh flawed = read(flawed_).mesh;
   std::vector<double> x;
   for (const Vec3& p : flawed.positions) x.push_back(p.x());
   std::vector<std::int32_t> row;
   for (std::size_t t = 0; t < flawed.triangle_count(); ++t) {
     row.push_back(static_cast<std::int32_t>(t / 10));
   }
-  write_mesh(flawed_, flawed, {{{"heat", x}}, {{"row", row}}, {}});
+  write(flawed_, flawed, {{{"heat", x}}, {{"row", row}}, {}});
   const std::string filling = " --fill-holes 3 -o " + file("r.ply").string();
   expect_text(geolloyd_with("repair " + flawed_.string() + filling),
               "carried     heat of vertices; row of triangles\n");
-  const LoadedMesh repaired = read_mesh(file("r.ply"), {true});
+  const LoadedMesh repaired = read(file("r.ply"), {true});
   const auto& heat = std::get<std::vector<double>>(repaired.properties.of_vertices.at(0).values);
   for (std::size_t v = 0; v < heat.size(); ++v) {
     EXPECT_EQ(heat[v], repaired.mesh.positions[v].x());

@@ -66,7 +66,7 @@ def test_relax(program, scan, options, words):
     assert [step["energy"] for step in found.trace] == [step["energy"] for step in report["trace"]]
     if words.get("graph") == "mixed":
         return
-    expected = geolloyd.read(program.folder / "result/remesh.ply")
+    expected = geolloyd.read(program.folder / "result/dual.ply")
     dual = found.dual()
     assert (dual.vertices == expected.vertices).all() and (dual.faces == expected.faces).all()
     assert (dual.vertices == scan.vertices[dual.seeds]).all()

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/fine_mesh.h"
-#include "core/surface/moments.h"
+#include "core/surface/cells/moments.h"
+#include "core/surface/substrate/fine_mesh.h"
 
 /// Cells of sites by their definition: each triangle is clipped in space by the bisector plane of
 /// each pair of sites, without any of the means of core/surface. For few triangles and sites.

@@ -47,16 +47,16 @@ inline std::string with(std::string bytes, std::string_view from, std::string_vi
 class MeshFiles : public testing::Test {
  protected:
   [[nodiscard]] LoadedMesh load(const std::string& name, std::string_view bytes) const {
-    return read_mesh(folder_.write(name, bytes));
+    return read(folder_.write(name, bytes));
   }
 
   [[nodiscard]] Mesh round_trip(const std::string& name, const Mesh& mesh) const {
-    write_mesh(folder_.path() / name, mesh);
-    return read_mesh(folder_.path() / name).mesh;
+    write(folder_.path() / name, mesh);
+    return read(folder_.path() / name).mesh;
   }
 
   [[nodiscard]] std::string written(const std::string& name) const {
-    write_mesh(folder_.path() / name, tetrahedron());
+    write(folder_.path() / name, tetrahedron());
     return read_file(folder_.path() / name);
   }
 

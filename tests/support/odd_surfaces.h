@@ -116,7 +116,7 @@ inline Mesh two_sheets(double distance) {
 }
 
 /// Holes of a triangle each, apart from each other and from the boundary.
-inline Mesh plane_with_pinholes(std::uint32_t count) {
+inline Mesh plane_with_subresolution_holes(std::uint32_t count) {
   constexpr std::uint32_t cells = 100;
   constexpr std::uint32_t step = 6;
   Mesh mesh = grid_surface(cells, cells, false, false, false,

@@ -5,7 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/surface_input.h"
+#include "core/surface/substrate/surface_input.h"
 
 namespace geolloyd {
 

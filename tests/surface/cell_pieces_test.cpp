@@ -1,4 +1,4 @@
-#include "core/surface/cell_pieces.h"
+#include "core/surface/cells/cell_pieces.h"
 
 #include <gtest/gtest.h>
 

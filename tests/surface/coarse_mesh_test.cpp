@@ -1,4 +1,4 @@
-#include "core/surface/coarse_mesh.h"
+#include "core/surface/substrate/coarse_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/disjoint_sets.h"
-#include "core/graph/spatial_order.h"
+#include "core/mesh/spatial_order.h"
 #include "core/shapes/shapes.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"

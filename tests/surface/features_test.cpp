@@ -9,7 +9,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/creases.h"
+#include "core/surface/features/creases.h"
 #include "geolloyd/errors.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/sharp_solids.h"
@@ -17,11 +17,11 @@
 namespace geolloyd {
 namespace {
 
-SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, FeatureOptions features = {}) {
-  SurfaceRemeshOptions options;
+Remesh remesh_of(const Mesh& mesh, std::size_t vertices, FeatureOptions features = {}) {
+  RemeshOptions options;
   options.vertex_count = vertices;
   options.features = std::move(features);
-  return remesh_surface(mesh, options);
+  return remesh(mesh, options);
 }
 
 double area_of(const Mesh& mesh) {
@@ -40,11 +40,11 @@ double smallest_angle(const Mesh& mesh) {
 
 // Of a solid with flat faces: no triangle cuts an edge off, because none is off its face.
 void expect_exact(const Mesh& solid, double length, std::size_t vertices) {
-  const SurfaceRemesh remesh = remesh_of(solid, vertices);
+  const Remesh remesh = remesh_of(solid, vertices);
   EXPECT_TRUE(remesh.has_input_topology()) << vertices;
   EXPECT_NEAR(area_of(remesh.mesh), area_of(solid), 1e-9) << vertices;
   EXPECT_NEAR(remesh.feature_length(), length, 1e-9) << vertices;
-  const std::size_t least = remesh.chain_vertices;
+  const std::size_t least = remesh.curve_vertices;
   EXPECT_EQ(remesh.mesh.vertex_count(), std::max(vertices, least)) << vertices;
 }
 
@@ -53,13 +53,13 @@ TEST(Features, OfACubeAreExact) {
     const Mesh solid = cube(12 * f * f);
     for (const std::size_t vertices : {50U, 200U}) expect_exact(solid, 12, vertices);
   }
-  const SurfaceRemesh remesh = remesh_of(cube(48), 300);
+  const Remesh remesh = remesh_of(cube(48), 300);
   for (const Vec3& corner : flat_box(1).positions) EXPECT_TRUE(has_vertex_at(remesh.mesh, corner));
   EXPECT_GE(smallest_angle(remesh.mesh), 28);
 }
 
 TEST(Features, OfACubeOfFewVertices) {
-  const SurfaceRemesh remesh = remesh_of(cube(192), 8);
+  const Remesh remesh = remesh_of(cube(192), 8);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_NEAR(area_of(remesh.mesh), 6, 1e-9);
 }
@@ -77,11 +77,11 @@ TEST(Features, OfPrismsAreExact) {
 TEST(Features, OfACylinderWithCaps) {
   const Mesh cylinder = sharp_prism(200);
   for (const std::size_t vertices : {250U}) {
-    const SurfaceRemesh remesh = remesh_of(cylinder, vertices);
+    const Remesh remesh = remesh_of(cylinder, vertices);
     EXPECT_TRUE(remesh.has_input_topology());
-    EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
+    EXPECT_EQ(remesh.feature_edges.size(), remesh.curve_vertices);
     EXPECT_NEAR(remesh.feature_length(), 4 * std::numbers::pi, 0.1);
-    for (std::size_t v = 0; v < remesh.chain_vertices; ++v) {
+    for (std::size_t v = 0; v < remesh.curve_vertices; ++v) {
       const Vec3& p = remesh.mesh.positions[v];
       EXPECT_NEAR(std::abs(p.z()), 1, 1e-12);
       EXPECT_NEAR(std::hypot(p.x(), p.y()), 1, 2e-4);
@@ -90,7 +90,7 @@ TEST(Features, OfACylinderWithCaps) {
 }
 
 TEST(Features, OfACone) {
-  const SurfaceRemesh remesh = remesh_of(sharp_cone(100), 400);
+  const Remesh remesh = remesh_of(sharp_cone(100), 400);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_NEAR(remesh.feature_length(), 2 * std::numbers::pi, 0.05);
   for (const auto& edge : remesh.feature_edges) {
@@ -103,7 +103,7 @@ TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
   for (const double degrees : {10.0, 30.0}) {
     const Mesh wedge = sharp_wedge(degrees);
     for (const std::size_t vertices : {150U}) {
-      const SurfaceRemesh remesh = remesh_of(wedge, vertices);
+      const Remesh remesh = remesh_of(wedge, vertices);
       EXPECT_TRUE(remesh.has_input_topology());
       EXPECT_NEAR(area_of(remesh.mesh), area_of(wedge), 1e-9);
       EXPECT_GE(smallest_angle(remesh.mesh), degrees - 1e-6) << vertices;
@@ -114,8 +114,8 @@ TEST(Features, OfAWedgeHaveNoAngleSmallerThanItsOwn) {
 TEST(Features, AreOffWhereAskedFor) {
   FeatureOptions none;
   none.creases = Creases::none;
-  const SurfaceRemesh remesh = remesh_of(cube(300), 300, none);
-  EXPECT_EQ(remesh.chain_vertices, 0U);
+  const Remesh remesh = remesh_of(cube(300), 300, none);
+  EXPECT_EQ(remesh.curve_vertices, 0U);
   EXPECT_TRUE(remesh.feature_edges.empty());
 }
 
@@ -189,9 +189,9 @@ TEST(Features, AreBordersBetweenGroups) {
     for (const VertexId v : t) height += sphere.positions[v].z();
     options.groups.push_back(height > 0 ? 1 : 0);
   }
-  const SurfaceRemesh remesh = remesh_of(sphere, 200, options);
+  const Remesh remesh = remesh_of(sphere, 200, options);
   EXPECT_TRUE(remesh.has_input_topology());
-  EXPECT_EQ(remesh.feature_edges.size(), remesh.chain_vertices);
+  EXPECT_EQ(remesh.feature_edges.size(), remesh.curve_vertices);
   EXPECT_NEAR(remesh.feature_length(), 2 * std::numbers::pi, 0.8);
   for (const auto& edge : remesh.feature_edges) {
     for (const VertexId v : edge) EXPECT_NEAR(remesh.mesh.positions[v].z(), 0, 0.1);
@@ -202,7 +202,7 @@ TEST(Features, AreEdgesThatAreGiven) {
   const Mesh plane = irregular_plane(800, 1);
   FeatureOptions options;
   for (VertexId v = 10; v < 16; ++v) options.edges.push_back({21 * (v + 1) + 10, 21 * v + 10});
-  const SurfaceRemesh remesh = remesh_of(plane, 250, options);
+  const Remesh remesh = remesh_of(plane, 250, options);
   EXPECT_TRUE(remesh.has_input_topology());
   double length = 0;
   for (const auto& [a, b] : options.edges) {
@@ -239,7 +239,7 @@ TEST(FixedVertices, AreVerticesOfTheRemesh) {
     FeatureOptions options;
     for (VertexId v = 3; v < mesh.vertex_count(); v += 211) options.fixed_vertices.push_back(v);
     options.fixed_vertices.push_back(options.fixed_vertices.front());  // twice
-    const SurfaceRemesh remesh = remesh_of(mesh, 200, options);
+    const Remesh remesh = remesh_of(mesh, 200, options);
     EXPECT_TRUE(remesh.has_input_topology());
     EXPECT_EQ(remesh.mesh.vertex_count(), 200U);
     for (const VertexId v : options.fixed_vertices) {

@@ -1,4 +1,4 @@
-#include "core/surface/field_metric.h"
+#include "core/surface/sizing/field_metric.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/shapes/shapes.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/result/remesh.h"
 #include "geolloyd/errors.h"
 #include "geolloyd/measure.h"
 #include "tests/support/surface.h"
@@ -130,11 +130,10 @@ TEST(MetricCells, HaveTheGradientAndTheMinimumOfTheirEnergies) {
 // Lengths of edges along the two axes of a plane in which x counts three times.
 TEST(FieldRemesh, HasEdgesOfOneLengthInTheMetric) {
   const Mesh mesh = irregular_plane(3000, 1);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.edge_length = 0.2;
   options.field.assign(mesh.vertex_count(), {Vec3::UnitX(), Vec3::UnitY(), 3, 1});
-  const SurfaceRemesh remesh =
-      make_surface_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
+  const Remesh remesh = make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
   EXPECT_TRUE(remesh.has_input_topology());
   Mesh mapped = remesh.mesh;
   for (Vec3& p : mapped.positions) p.x() *= 3;
@@ -152,29 +151,29 @@ TEST(FieldRemesh, HasEdgesOfOneLengthInTheMetric) {
 // A field of equal magnitudes asks for what sizes ask for.
 TEST(FieldRemesh, OfARoundFieldIsThatOfItsSizes) {
   const Mesh mesh = creature(4000, 1);
-  SurfaceRemeshOptions by_field;
+  RemeshOptions by_field;
   by_field.vertex_count = 200;
-  SurfaceRemeshOptions by_sizes = by_field;
+  RemeshOptions by_sizes = by_field;
   for (const Vec3& p : mesh.positions) {
     const double size = 1 + 0.2 * p.x();
     by_field.field.push_back({Vec3::UnitX(), Vec3::UnitX(), 1 / size, 1 / size});
     by_sizes.sizing.edge_lengths.push_back(size);
   }
-  const auto remesh = [&](const SurfaceRemeshOptions& options) {
-    return make_surface_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
+  const auto remesh = [&](const RemeshOptions& options) {
+    return make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
   };
-  const SurfaceRemesh a = remesh(by_field);
-  const SurfaceRemesh b = remesh(by_sizes);
+  const Remesh a = remesh(by_field);
+  const Remesh b = remesh(by_sizes);
   ASSERT_EQ(a.edge_lengths.size(), b.edge_lengths.size());
   EXPECT_NEAR(a.energy, b.energy, 0.02 * b.energy);
 }
 
 TEST(FieldRemesh, RefusesAFieldOfAnotherMesh) {
   const Mesh mesh = icosphere(100);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = 20;
   options.field.resize(mesh.vertex_count() + 1);
-  EXPECT_THROW(make_surface_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine),
+  EXPECT_THROW(make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine),
                InvalidInput);
 }
 

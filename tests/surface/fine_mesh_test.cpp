@@ -1,4 +1,4 @@
-#include "core/surface/fine_mesh.h"
+#include "core/surface/substrate/fine_mesh.h"
 
 #include <gtest/gtest.h>
 

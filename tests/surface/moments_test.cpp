@@ -1,4 +1,4 @@
-#include "core/surface/moments.h"
+#include "core/surface/cells/moments.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/surface/paired_surface_engine.h"
+#include "core/surface/cells/paired_surface_engine.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/lloyd/paired_engine.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/reference_surface_engine.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/cells/reference_surface_engine.h"
+#include "core/surface/result/remesh.h"
 
 namespace geolloyd {
 namespace {
@@ -47,14 +47,14 @@ class FaultySurfaceEngine final : public SurfaceEngine {
   Cells cells_;
 };
 
-SurfaceRemesh remesh_with(const MakeSurfaceEngine& make_engine, bool has_field = false) {
+Remesh remesh_with(const MakeSurfaceEngine& make_engine, bool has_field = false) {
   const Mesh mesh = torus(500, 1);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = 40;
   if (has_field) {
     options.field.assign(mesh.vertex_count(), {Vec3::UnitX(), Vec3::UnitY(), 1, 1});
   }
-  return make_surface_remesh(mesh, find_edges(mesh), options, make_engine);
+  return make_remesh(mesh, find_edges(mesh), options, make_engine);
 }
 
 std::string complaint(FaultySurfaceEngine::Fault fault, int after) {
@@ -88,9 +88,9 @@ TEST(PairedSurfaceEngine, NamesTheFirstEvaluationPlaceAndValueThatDiffer) {
 
 TEST(PairedSurfaceEngine, IsSilentWhereBothAgree) {
   SurfaceComparison comparison;
-  const SurfaceRemesh paired = remesh_with(make_paired_surface_engines(
+  const Remesh paired = remesh_with(make_paired_surface_engines(
       make_reference_surface_engine, make_reference_surface_engine, comparison));
-  const SurfaceRemesh alone = remesh_with(make_reference_surface_engine);
+  const Remesh alone = remesh_with(make_reference_surface_engine);
   EXPECT_EQ(paired.fingerprint, alone.fingerprint);
   EXPECT_EQ(paired.mesh.positions, alone.mesh.positions);
   EXPECT_GT(comparison.evaluations, comparison.meshes);

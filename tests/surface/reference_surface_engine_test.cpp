@@ -1,4 +1,4 @@
-#include "core/surface/reference_surface_engine.h"
+#include "core/surface/cells/reference_surface_engine.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/shapes/shapes.h"
-#include "core/surface/cell_pieces.h"
+#include "core/surface/cells/cell_pieces.h"
 #include "tests/support/brute_cells.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"

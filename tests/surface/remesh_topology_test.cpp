@@ -14,7 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/mesh/subdivide.h"
-#include "core/surface/surface_remesh.h"
+#include "core/surface/result/remesh.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/odd_surfaces.h"
@@ -46,7 +46,7 @@ bool is_on_its_triangle(const Mesh& mesh, const SurfacePoint& place, const Vec3&
   return std::abs(sum - 1) < 1e-12 && (p - position).norm() <= 1e-12 * size;
 }
 
-std::size_t count_astray(const Mesh& mesh, const SurfaceRemesh& remesh) {
+std::size_t count_astray(const Mesh& mesh, const Remesh& remesh) {
   double size = 0;
   for (const Vec3& p : mesh.positions) size = std::max(size, p.norm());
   std::size_t astray = 0;
@@ -56,17 +56,17 @@ std::size_t count_astray(const Mesh& mesh, const SurfaceRemesh& remesh) {
   return astray;
 }
 
-SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, Scheduler& scheduler) {
-  SurfaceRemeshOptions options;
+Remesh remesh_of(const Mesh& mesh, std::size_t vertices, Scheduler& scheduler) {
+  RemeshOptions options;
   options.fit = false;  // which would leave each vertex near its triangle only
   options.vertex_count = vertices;
   const auto make_engine = [&](const FineMesh& fine) {
     return make_parallel_surface_engine(fine, scheduler);
   };
-  return make_surface_remesh(mesh, find_edges(mesh), options, make_engine, scheduler);
+  return make_remesh(mesh, find_edges(mesh), options, make_engine, scheduler);
 }
 
-void check_remesh(const Mesh& mesh, const Parts& parts, const SurfaceRemesh& remesh,
+void check_remesh(const Mesh& mesh, const Parts& parts, const Remesh& remesh,
                   std::size_t vertices) {
   const WalkedTopology found = walk_topology(remesh.mesh);
   EXPECT_EQ(found.flaw, "");
@@ -84,7 +84,7 @@ void remesh_and_check(const Mesh& mesh, const std::vector<std::size_t>& counts) 
   Scheduler scheduler;
   for (const std::size_t vertices : counts) {
     SCOPED_TRACE(std::to_string(vertices) + " vertices");
-    const SurfaceRemesh remesh = remesh_of(mesh, vertices, scheduler);
+    const Remesh remesh = remesh_of(mesh, vertices, scheduler);
     const bool is_manifold = input.flaw.empty();
     check_remesh(mesh, is_manifold ? input.parts : parts_of(remesh.surface_parts), remesh,
                  vertices);
@@ -101,7 +101,7 @@ TEST(WalkedTopology, KnowsManifolds) {
   EXPECT_EQ(walk_topology(annulus(0.5)).parts, (Parts{{0, 2}}));
   EXPECT_EQ(walk_topology(small_moebius_strip()).parts, (Parts{{0, 1}}));
   EXPECT_EQ(walk_topology(two_sheets(0.1)).parts, (Parts{{1, 1}, {1, 1}}));
-  EXPECT_EQ(walk_topology(plane_with_pinholes(250)).parts, (Parts{{-249, 251}}));
+  EXPECT_EQ(walk_topology(plane_with_subresolution_holes(250)).parts, (Parts{{-249, 251}}));
   EXPECT_EQ(walk_topology(sphere_with_satellites(50)).parts, Parts(51, {2, 0}));
 }
 
@@ -155,7 +155,7 @@ std::vector<OddSurface> odd_surfaces() {
       {"TwoTriangles", square_of_two_triangles},
       {"Tetrahedron", tetrahedron},
       {"ThinAnnulus", [] { return annulus(0.99); }},
-      {"Pinholes", [] { return plane_with_pinholes(250); }, {64, 2048}},
+      {"SubresolutionHoles", [] { return plane_with_subresolution_holes(250); }, {64, 2048}},
       {"Creature", [] { return creature(4'000, 1); }, {64, 2048}},
       {"Torus", [] { return torus(2'000, 1); }, {10, 64, 300}},
       {"Tube", [] { return cylinder(2'000, 1); }, {10, 64, 300}},
@@ -181,10 +181,10 @@ INSTANTIATE_TEST_SUITE_P(All, RemeshOfAnOddSurface, testing::ValuesIn(odd_surfac
 // Each page of the book is a part of its own, and each wing of the tie.
 TEST(RemeshOfWhatIsNoManifold, IsThatOfItsPieces) {
   Scheduler scheduler;
-  const SurfaceRemesh of_book = remesh_of(book(), 64, scheduler);
+  const Remesh of_book = remesh_of(book(), 64, scheduler);
   check_remesh(book(), {{1, 1}, {1, 1}, {1, 1}}, of_book, 64);
   EXPECT_GT(of_book.vertices_cut, 0U);
-  const SurfaceRemesh of_tie = remesh_of(bow_tie(), 64, scheduler);
+  const Remesh of_tie = remesh_of(bow_tie(), 64, scheduler);
   check_remesh(bow_tie(), {{1, 1}, {1, 1}}, of_tie, 64);
   EXPECT_EQ(of_tie.vertices_cut, 1U);
 }
@@ -193,7 +193,7 @@ TEST(RemeshOfWhatIsNoManifold, IsThatOfItsPieces) {
 TEST(RemeshOfTwoSheets, JoinsThemNowhere) {
   const Mesh mesh = two_sheets(0.001);
   Scheduler scheduler;
-  const SurfaceRemesh remesh = remesh_of(mesh, 300, scheduler);
+  const Remesh remesh = remesh_of(mesh, 300, scheduler);
   for (const Triangle& t : remesh.mesh.triangles) {
     const double z = remesh.mesh.positions[t[0]].z();
     EXPECT_TRUE(z == 0 || std::abs(z - 0.001) < 1e-12);
@@ -235,7 +235,7 @@ TEST_P(RemeshOfALargeSurface, IsAManifoldLikeIt) {
       std::filesystem::path(GEOLLOYD_SHARED_MESHES) / GetParam().file;
   const bool is_generated = GetParam().file.empty();
   if (!is_generated && !std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-  remesh_and_check(is_generated ? GetParam().make() : read_mesh(file).mesh,
+  remesh_and_check(is_generated ? GetParam().make() : read(file).mesh,
                    {64, 300, 2048, 10'000, 100'000});
 }
 

@@ -1,4 +1,4 @@
-#include "core/surface/site_budget.h"
+#include "core/surface/sites/site_budget.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(SurfaceParts, AreThoseOfTheMesh) {
   punctured.triangles.pop_back();
   add_mesh(mesh, punctured, {0, 0, -4});
   const BudgetedSurface surface(mesh, 0.06);
-  ASSERT_EQ(surface.divided.chains.pinholes.size(), 1U);
+  ASSERT_EQ(surface.divided.curves.subresolution_holes.size(), 1U);
   std::vector<std::int64_t> closed;
   std::vector<std::int64_t> open;
   double area = 0;
@@ -63,7 +63,7 @@ TEST(SiteBudget, CountsTheVerticesOfRegularTriangles) {
   for (const double spacing : {0.5, 0.2, 0.05}) {
     const double triangles = surface.input.fine.whole_area * 4 / std::sqrt(3) / (spacing * spacing);
     const SiteBudget budget = surface.budgeter.at_spacing(spacing);
-    EXPECT_EQ(budget.on_chains, 0U);
+    EXPECT_EQ(budget.on_curves, 0U);
     ASSERT_EQ(budget.free.size(), 1U);
     EXPECT_NEAR(static_cast<double>(budget.free[0]), triangles / 2 + 2, 0.5 + 1e-9);
     EXPECT_EQ(budget.total(), budget.free[0]);
@@ -76,7 +76,7 @@ TEST(SiteBudget, CountsTheBoundary) {
   const BudgetedSurface surface(irregular_plane(5000, 1), 0.2);
   const double spacing = 0.1;
   const SiteBudget budget = surface.budgeter.at_spacing(spacing);
-  EXPECT_EQ(budget.on_chains, 80U);  // edges of length 2
+  EXPECT_EQ(budget.on_curves, 80U);  // edges of length 2
   const double triangles = 4 * 4 / std::sqrt(3) / (spacing * spacing);
   EXPECT_NEAR(static_cast<double>(budget.total()), 1 + triangles / 2 + 40, 0.5 + 1e-9);
 }
@@ -137,10 +137,10 @@ TEST(SiteBudget, SharesTheRest) {
 TEST(SiteBudget, GivesABoundaryItsLeast) {
   const BudgetedSurface disc(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, 3);
   const SiteBudget budget = disc.budgeter.of_size(3);
-  EXPECT_EQ(budget.on_chains, 3U);
+  EXPECT_EQ(budget.on_curves, 3U);
   EXPECT_EQ(budget.total(), 3U);
   const BudgetedSurface tube(cylinder(500, 1), 0.5);
-  EXPECT_GE(tube.budgeter.of_size(4).on_chains, 6U);
+  EXPECT_GE(tube.budgeter.of_size(4).on_curves, 6U);
 }
 
 }  // namespace

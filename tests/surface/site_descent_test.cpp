@@ -1,4 +1,4 @@
-#include "core/surface/site_descent.h"
+#include "core/surface/sites/site_descent.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/shapes/shapes.h"
-#include "core/surface/reference_surface_engine.h"
+#include "core/surface/cells/reference_surface_engine.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"
 

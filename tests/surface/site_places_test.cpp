@@ -1,4 +1,4 @@
-#include "core/surface/site_places.h"
+#include "core/surface/result/site_places.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/mesh/closest_on_triangle.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/reference_surface_engine.h"
+#include "core/surface/cells/reference_surface_engine.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"
 

@@ -1,4 +1,4 @@
-#include "core/surface/sizing.h"
+#include "core/surface/sizing/sizing.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/curvature.h"
+#include "core/surface/sizing/curvature.h"
 #include "geolloyd/errors.h"
 #include "tests/support/odd_surfaces.h"
 #include "tests/support/random_graph.h"
@@ -27,8 +27,8 @@ std::vector<double> at_vertices(const Mesh& mesh, Length&& length) {
   return values;
 }
 
-SurfaceRemeshOptions options_with(const SizingOptions& sizing, std::size_t vertices = 0) {
-  SurfaceRemeshOptions options;
+RemeshOptions options_with(const SizingOptions& sizing, std::size_t vertices = 0) {
+  RemeshOptions options;
   options.sizing = sizing;
   options.vertex_count = vertices;
   return options;
@@ -115,13 +115,13 @@ TEST(Sizing, ScalesAFieldToACountOrAMeanLength) {
   const auto steep = [](const Vec3& p) { return 1 + 100 * p.x() * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, steep);
-  SurfaceRemeshOptions options = options_with(sizing, 700);
+  RemeshOptions options = options_with(sizing, 700);
   const MeshEdges edges = find_edges(mesh);
   EXPECT_NEAR(sites_at(1, find_sizing(mesh, edges, sizing.edge_lengths, options).spacing), 700,
               1e-6);
   options.vertex_count = 0;
   options.edge_length = 0.03;
-  const SurfaceRemesh remesh = remesh_surface(mesh, options);
+  const Remesh remesh = remesh(mesh, options);
   double sum = 0;
   const MeshEdges made = find_edges(remesh.mesh);
   for (const auto& [a, b] : made.ends) {
@@ -135,7 +135,7 @@ TEST(Sizing, OfAPlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.06 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, ramp);
-  const SurfaceRemesh remesh = remesh_surface(mesh, options_with(sizing));
+  const Remesh remesh = remesh(mesh, options_with(sizing));
   EXPECT_TRUE(remesh.has_input_topology());
   expect_follows(sorted_ratios(remesh.mesh, ramp));
   const MeshQuality quality = measure_quality(remesh.mesh, find_edges(remesh.mesh));
@@ -155,7 +155,7 @@ TEST(Sizing, OfACoarsePlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.08 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(square, ramp);
-  const SurfaceRemesh remesh = remesh_surface(square, options_with(sizing));
+  const Remesh remesh = remesh(square, options_with(sizing));
   EXPECT_TRUE(remesh.has_input_topology());
   expect_follows(sorted_ratios(remesh.mesh, ramp));
 }
@@ -165,7 +165,7 @@ TEST(Sizing, OfACubeKeepsItsEdges) {
   const auto length = [](const Vec3& p) { return 0.05 + 0.1 * p.z(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, length);
-  const SurfaceRemesh remesh = remesh_surface(mesh, options_with(sizing));
+  const Remesh remesh = remesh(mesh, options_with(sizing));
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_NEAR(remesh.feature_length(), 12, 1e-9);
   expect_follows(sorted_ratios(remesh.mesh, length));
@@ -180,27 +180,27 @@ TEST(Sizing, OfDensitiesIsThatOfLengths) {
   for (const double length : by_length.edge_lengths) {
     by_density.densities.push_back(3 / (3 * length * length * length * length));
   }
-  EXPECT_EQ(remesh_surface(mesh, options_with(by_density, 200)).fingerprint,
-            remesh_surface(mesh, options_with(by_length, 200)).fingerprint);
+  EXPECT_EQ(remesh(mesh, options_with(by_density, 200)).fingerprint,
+            remesh(mesh, options_with(by_length, 200)).fingerprint);
 }
 
 TEST(Sizing, OfOneLengthIsEven) {
   const Mesh mesh = icosphere(5000);
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, [](const Vec3&) { return 7.0; });
-  const SurfaceRemesh remesh = remesh_surface(mesh, options_with(sizing, 300));
+  const Remesh remesh = remesh(mesh, options_with(sizing, 300));
   EXPECT_EQ(remesh.mesh.vertex_count(), 300U);
   EXPECT_LE(remesh.energy / remesh.energy_of_hexagonal_tiling, 1.02);
-  SurfaceRemeshOptions even;
+  RemeshOptions even;
   even.vertex_count = 300;
-  EXPECT_TRUE(remesh_surface(mesh, even).edge_lengths.empty());
+  EXPECT_TRUE(remesh(mesh, even).edge_lengths.empty());
 }
 
 TEST(Sizing, AdaptsNothingWhereCurvatureIsTheSame) {
   for (const Mesh& mesh : {icosphere(8000), irregular_plane(5000, 1), sharp_prism(4)}) {
     SizingOptions sizing;
     sizing.adapt = 1;
-    const SurfaceRemesh remesh = remesh_surface(mesh, options_with(sizing, 200));
+    const Remesh remesh = remesh(mesh, options_with(sizing, 200));
     const auto [least, most] =
         std::minmax_element(remesh.edge_lengths.begin(), remesh.edge_lengths.end());
     EXPECT_LE(*most, 1.1 * *least) << mesh.vertex_count();
@@ -213,7 +213,7 @@ TEST(Sizing, AdaptsToAnEllipsoid) {
   for (Vec3& p : mesh.positions) p.x() *= 4;
   SizingOptions sizing;
   sizing.adapt = 1;
-  const SurfaceRemesh remesh = remesh_surface(mesh, options_with(sizing, 400));
+  const Remesh remesh = remesh(mesh, options_with(sizing, 400));
   double at_tip = 0;
   double at_waist = 0;
   double tips = 0;
@@ -259,7 +259,7 @@ TEST(Sizing, RefusesWhatIsNoSize) {
   const Mesh mesh = icosphere(80);
   const auto refused = [&](const SizingOptions& sizing, const std::string& what) {
     try {
-      remesh_surface(mesh, options_with(sizing, 20));
+      remesh(mesh, options_with(sizing, 20));
     } catch (const InvalidInput& error) {
       EXPECT_EQ(std::string(error.what()).find(what), 0U) << error.what();
       return true;
@@ -285,7 +285,7 @@ TEST(Sizing, RefusesWhatIsNoSize) {
   for (const double bad : {1.0, -1.0, std::nan("")}) {
     EXPECT_TRUE(refused({{}, {}, 1, bad}, "growth: "));
   }
-  EXPECT_THROW(remesh_surface(mesh, options_with({{}, {}, 1, 1.3})), InvalidInput);
+  EXPECT_THROW(remesh(mesh, options_with({{}, {}, 1, 1.3})), InvalidInput);
 }
 
 }  // namespace

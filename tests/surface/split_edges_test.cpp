@@ -1,4 +1,4 @@
-#include "core/surface/split_edges.h"
+#include "core/surface/substrate/split_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -210,9 +210,9 @@ TEST(SplitEdges, OfALongTube) {
 
 // Splitting must not use up the limit of vertices before edges are short.
 TEST(SplitEdges, LeavesRegularRemeshesOfALongTube) {
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = 300;
-  const SurfaceRemesh remesh = remesh_surface(long_tube(400, 10), options);
+  const Remesh remesh = remesh(long_tube(400, 10), options);
   EXPECT_EQ(remesh.mesh.vertex_count(), 300U);
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_LT(remesh.energy, 1.02 * remesh.energy_of_hexagonal_tiling);

@@ -1,4 +1,4 @@
-#include "core/surface/surface_fit.h"
+#include "core/surface/result/surface_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@
 namespace geolloyd {
 namespace {
 
-SurfaceRemesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
-  SurfaceRemeshOptions options;
+Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
+  RemeshOptions options;
   options.vertex_count = vertices;
   options.fit = fit;
-  return remesh_surface(mesh, options);
+  return remesh(mesh, options);
 }
 
 double volume_of(const Mesh& mesh) {
@@ -47,7 +47,7 @@ TEST(SurfaceFit, OfASphereHasItsVolume) {
 
 // All vertices as far outside as the others. A chord of a sphere with an edge of h sinks by h^2/8.
 TEST(SurfaceFit, OfASphereMovesOutward) {
-  const SurfaceRemesh remesh = remesh_of(icosphere(2000), 300, true);
+  const Remesh remesh = remesh_of(icosphere(2000), 300, true);
   EXPECT_EQ(remesh.vertices_fitted, 300U);
   const double spacing = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * 300));
   for (const Vec3& p : remesh.mesh.positions) {
@@ -57,9 +57,9 @@ TEST(SurfaceFit, OfASphereMovesOutward) {
 }
 
 TEST(SurfaceFit, LeavesFlatFacesFlat) {
-  const SurfaceRemesh plane = remesh_of(irregular_plane(2000, 1), 300, true);
+  const Remesh plane = remesh_of(irregular_plane(2000, 1), 300, true);
   for (const Vec3& p : plane.mesh.positions) EXPECT_NEAR(p.z(), 0, 1e-12);
-  const SurfaceRemesh box = remesh_of(cube(192), 300, true);
+  const Remesh box = remesh_of(cube(192), 300, true);
   double area = 0;
   for (const double a : triangle_areas(box.mesh, {})) area += a;
   EXPECT_NEAR(area, 6, 1e-9);
@@ -68,11 +68,11 @@ TEST(SurfaceFit, LeavesFlatFacesFlat) {
 // Boundaries and features stay where they are.
 TEST(SurfaceFit, HoldsChains) {
   for (const Mesh& mesh : {cylinder(500, 1), sharp_prism(50)}) {
-    const SurfaceRemesh free = remesh_of(mesh, 150, false);
-    const SurfaceRemesh fitted = remesh_of(mesh, 150, true);
-    ASSERT_EQ(free.chain_vertices, fitted.chain_vertices);
-    EXPECT_GT(fitted.chain_vertices, 0U);
-    for (std::size_t v = 0; v < free.chain_vertices; ++v) {
+    const Remesh free = remesh_of(mesh, 150, false);
+    const Remesh fitted = remesh_of(mesh, 150, true);
+    ASSERT_EQ(free.curve_vertices, fitted.curve_vertices);
+    EXPECT_GT(fitted.curve_vertices, 0U);
+    for (std::size_t v = 0; v < free.curve_vertices; ++v) {
       EXPECT_EQ(free.mesh.positions[v], fitted.mesh.positions[v]);
     }
   }
@@ -80,8 +80,8 @@ TEST(SurfaceFit, HoldsChains) {
 
 TEST(SurfaceFit, KeepsConnectivityAnglesAndQuality) {
   for (const Mesh& mesh : {creature(1500, 1), scaled(icosphere(500), {1, 1, 0.05})}) {
-    const SurfaceRemesh free = remesh_of(mesh, 200, false);
-    const SurfaceRemesh fitted = remesh_of(mesh, 200, true);
+    const Remesh free = remesh_of(mesh, 200, false);
+    const Remesh fitted = remesh_of(mesh, 200, true);
     EXPECT_EQ(free.mesh.triangles, fitted.mesh.triangles);
     const MeshQuality before = measure_quality(free.mesh, find_edges(free.mesh));
     const MeshQuality after = measure_quality(fitted.mesh, find_edges(fitted.mesh));

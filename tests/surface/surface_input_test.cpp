@@ -1,4 +1,4 @@
-#include "core/surface/surface_input.h"
+#include "core/surface/substrate/surface_input.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/graph/spatial_order.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/mesh/spatial_order.h"
 #include "core/shapes/shapes.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"

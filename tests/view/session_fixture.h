@@ -23,7 +23,7 @@ class SessionFixture : public testing::Test {
   void open(const Mesh& mesh, std::size_t seeds, GreedyMode greedy = GreedyMode::extended) {
     const std::filesystem::path file = folder_.path() / "mesh.ply";
     FileWriter writer(file);
-    write_mesh(writer, mesh);
+    write(writer, mesh);
     writer.commit();
     options_.seeds.count = seeds;
     options_.seeds.init = SeedInit::random;  // leaves something to do

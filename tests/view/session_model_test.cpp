@@ -180,7 +180,7 @@ TEST_F(SessionModelTest, ARemeshHasTheFingerprintOfTheCommand) {
   EXPECT_GE(remesh["vertices"], 60);
   EXPECT_EQ(remesh["fingerprint"], fingerprint_of(remesh["command_line"]));
   perform(R"({"do":"save","what":"result"})");
-  EXPECT_EQ(read_file(output_ / "surface-remesh.ply"), read_file(folder_.path() / "again.ply"));
+  EXPECT_EQ(read_file(output_ / "remesh.ply"), read_file(folder_.path() / "again.ply"));
 }
 
 // Sites are seen on the surface, about as many as are wanted in the end.

@@ -202,20 +202,20 @@ void add_drop_option(CLI::App& command, bool& carries_properties) {
                    "other properties of the mesh, instead of carrying them over");
 }
 
-void add_remesh_options(CLI::App& command, RemeshArguments& remesh) {
-  const char* group = "Remesh";
+void add_dual_options(CLI::App& command, DualArguments& dual) {
+  const char* group = "Dual";
   command
-      .add_flag("--manifold,!--no-manifold", remesh.manifold,
-                "Add vertices until the remesh is a manifold with the input's\n"
+      .add_flag("--manifold,!--no-manifold", dual.manifold,
+                "Add vertices until the dual is a manifold with the input's\n"
                 "topology (default: yes)")
       ->group(group);
-  add_choice(command, "--remesh-vertices", remesh.vertices, remesh_vertices_names,
-             "Places of the remesh's vertices: the seeds, or the surface points\n"
+  add_choice(command, "--dual-vertices", dual.vertices, dual_vertices_names,
+             "Places of the dual's vertices: the seeds, or the surface points\n"
              "nearest to the centroids of the ground truth's regions")
       ->group(group);
   command
-      .add_flag("--quads", remesh.quads,
-                "Join triangles of the remesh to quadrilaterals, where their corners\n"
+      .add_flag("--quads", dual.quads,
+                "Join triangles of the dual to quadrilaterals, where their corners\n"
                 "have 30 to 150 degrees; best with --norm linf --vfield cross")
       ->group(group);
 }

@@ -84,9 +84,9 @@ struct ThreadArguments {
   Backend backend = Backend::tbb;
 };
 
-struct RemeshArguments {
+struct DualArguments {
   bool manifold = true;
-  RemeshVertices vertices = RemeshVertices::seeds;
+  DualVertices vertices = DualVertices::seeds;
   bool quads = false;
 };
 
@@ -102,7 +102,7 @@ struct RelaxArguments {
   RelaxationArguments relaxation;
   EngineArguments engine;
   ThreadArguments threads;
-  RemeshArguments remesh;
+  DualArguments dual;
   PictureArguments picture;
   std::filesystem::path output;                                   ///< a folder
   std::vector<RelaxOutput> only = values_of(relax_output_names);  ///< what goes there
@@ -118,8 +118,8 @@ struct RelaxArguments {
     return std::find(only.begin(), only.end(), what) != only.end();
   }
   /// The report tells of it, too.
-  [[nodiscard]] bool makes_remesh() const {
-    return writes(RelaxOutput::remesh) || writes(RelaxOutput::report);
+  [[nodiscard]] bool makes_dual() const {
+    return writes(RelaxOutput::dual) || writes(RelaxOutput::report);
   }
 };
 
@@ -135,7 +135,7 @@ void add_limit_options(CLI::App& command, RelaxationArguments& relaxation);
 void add_engine_option(CLI::App& command, EngineKind& engine);
 void add_frontier_option(CLI::App& command, EngineArguments& engine);
 void add_thread_options(CLI::App& command, ThreadArguments& threads);
-void add_remesh_options(CLI::App& command, RemeshArguments& remesh);
+void add_dual_options(CLI::App& command, DualArguments& dual);
 void add_picture_options(CLI::App& command, PictureArguments& picture);
 /// --drop: then `carries_properties` becomes false.
 void add_drop_option(CLI::App& command, bool& carries_properties);

@@ -48,7 +48,7 @@ void add_generate_command(CLI::App& program) {
       announce_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
     }
     const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
-    write_mesh(arguments->output, mesh);
+    write(arguments->output, mesh);
     print_written_mesh("generate", arguments->output, mesh);
   });
 }

@@ -7,8 +7,8 @@
 
 #include "geolloyd/errors.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
-#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/quality_output.h"

@@ -14,13 +14,13 @@
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/folder_lock.h"
+#include "tools/report/dual_output.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/relax_output.h"
-#include "tools/report/remesh_output.h"
 #include "tools/report/report.h"
 #include "tools/report/report_parts.h"
 #include "tools/report/vtp_output.h"
-#include "tools/run/carrying.h"
+#include "tools/run/attribute_transfer.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
 #include "tools/run/stages.h"
@@ -54,10 +54,9 @@ void print_regions(const Result& result) {
   if (!(areas.largest > 0)) return;  // without area
   fmt::print("  {:<12}areas {:.3g} to {:.3g} of their mean, deviation {:.3g}{}\n", "regions",
              areas.smallest, areas.largest, areas.deviation,
-             result.remesh
-                 ? fmt::format("; isoperimetric ratio {:.3g}, smallest {:.3g}",
-                               result.remesh->roundness.mean, result.remesh->roundness.min)
-                 : "");
+             result.dual ? fmt::format("; isoperimetric ratio {:.3g}, smallest {:.3g}",
+                                       result.dual->roundness.mean, result.dual->roundness.min)
+                         : "");
 }
 
 std::string describe(const SeedArguments& seeds, const Graph& graph, std::size_t count) {
@@ -107,8 +106,8 @@ void print_cost(const Start::Seconds& start, const Result& result, const Cost& c
   fmt::print("  {:<12}{:.2f} s: load {:.2f}, graph {:.2f}, seeds {:.2f}, relaxation {:.2f}, ",
              "time", cost.total_seconds, start.load, start.graph, start.seeds, cost.relax_seconds);
   if (result.ground_truth) fmt::print("ground truth {:.2f}, ", cost.ground_truth_seconds);
-  fmt::print("remesh {:.2f}, write {:.2f}; {:.0f} MB, {}\n", cost.remesh_seconds,
-             cost.write_seconds, static_cast<double>(cost.peak_memory_bytes) * 1e-6,
+  fmt::print("dual {:.2f}, write {:.2f}; {:.0f} MB, {}\n", cost.dual_seconds, cost.write_seconds,
+             static_cast<double>(cost.peak_memory_bytes) * 1e-6,
              counted(result.threads, "thread", "threads"));
 }
 
@@ -140,9 +139,9 @@ void print_summary(const RelaxArguments& arguments, const Start& start, const Re
   print_relaxation(result, hexagonal_energy(result.regions, start.input.facts));
   if (result.ground_truth) fmt::print("{}", describe(*result.ground_truth));
   print_regions(result);
-  if (result.remesh) {
-    fmt::print("{}{}{}", describe(*result.remesh), describe(result.quads),
-               describe(result.remesh_properties));
+  if (result.dual) {
+    fmt::print("{}{}{}", describe(*result.dual), describe(result.quads),
+               describe(result.dual_properties));
   }
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(result.relaxation.fingerprint));
   print_cost(start.seconds, result, cost);
@@ -156,7 +155,7 @@ void warn_of_few_nodes(const Start& start, ProgressLine& progress) {
   if (nodes >= enough * seeds) return;
   progress.clear();
   fmt::print(stderr,
-             "{}: {} for {}: with fewer than {} a seed the remesh will be poor: subdivide the "
+             "{}: {} for {}: with fewer than {} a seed the dual will be poor: subdivide the "
              "mesh, or use fewer seeds\n",
              start.input.file.string(), counted(nodes, "node", "nodes"),
              counted(seeds, "seed", "seeds"), enough);
@@ -181,10 +180,10 @@ void check_checkpoint(const RelaxArguments& arguments) {
 Purpose purpose_of(const RelaxArguments& arguments) {
   Purpose purpose;
   purpose.engine = arguments.engine.kind;
-  purpose.has_remesh = arguments.makes_remesh();
+  purpose.has_dual = arguments.makes_dual();
   purpose.has_ground_truth =
       arguments.ground_truth ||
-      (purpose.has_remesh && arguments.remesh.vertices == RemeshVertices::centroids);
+      (purpose.has_dual && arguments.dual.vertices == DualVertices::centroids);
   if (!arguments.picture_file.empty() || !arguments.frames.empty()) {
     purpose.picture = arguments.picture;
   }
@@ -206,19 +205,20 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
                                             relaxation.seeds);
     cost.ground_truth_seconds = watch.seconds();
   }
-  if (!arguments.makes_remesh()) return result;
-  progress.stage("making the remesh");
+  if (!arguments.makes_dual()) return result;
+  progress.stage("making the dual");
   const Stopwatch watch;
-  result.remesh = make_remesh({mesh, start.mesh_graph, relaxation.seeds, relaxation.partition,
-                               *ended.engine, scheduler, start.surface ? &*start.surface : nullptr},
-                              {arguments.remesh.manifold, arguments.remesh.vertices}, scheduler);
-  result.remesh_properties = carry_properties(mesh, start.input.loaded.properties, start.mesh_graph,
-                                              *result.remesh, scheduler);
-  if (arguments.remesh.quads) {
-    const Mesh& remesh = result.remesh->mesh;
-    result.quads = pair_triangles(remesh, find_edges(remesh, scheduler));
+  result.dual =
+      make_graph_dual({mesh, start.mesh_graph, relaxation.seeds, relaxation.partition,
+                       *ended.engine, scheduler, start.surface ? &*start.surface : nullptr},
+                      {arguments.dual.manifold, arguments.dual.vertices}, scheduler);
+  result.dual_properties = transfer_properties(mesh, start.input.loaded.properties,
+                                               start.mesh_graph, *result.dual, scheduler);
+  if (arguments.dual.quads) {
+    const Mesh& dual = result.dual->mesh;
+    result.quads = pair_triangles(dual, find_edges(dual, scheduler));
   }
-  cost.remesh_seconds = watch.seconds();
+  cost.dual_seconds = watch.seconds();
   return result;
 }
 
@@ -242,7 +242,7 @@ void run_relax(const RelaxArguments& arguments) {
   Scheduler scheduler = make_scheduler(arguments.threads);
   StartArguments wanted = arguments.start;
   wanted.has_properties =
-      wanted.has_properties && (arguments.makes_remesh() || !arguments.vtp_file.empty() ||
+      wanted.has_properties && (arguments.makes_dual() || !arguments.vtp_file.empty() ||
                                 arguments.writes(RelaxOutput::tessellation));
   const Start start = prepare(wanted, purpose_of(arguments), scheduler, progress);
   warn_of_few_nodes(start, progress);
@@ -302,15 +302,14 @@ void run_relax(const RelaxArguments& arguments) {
 
 void add_relax_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "relax", "Tessellate a mesh and remesh it: seeds move to the centroids of their regions");
+      "relax", "Tessellate a mesh: seeds move to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
   arguments->start.has_properties = true;
   add_mesh_argument(*command, arguments->start);
   add_json_option(*command);
-  folder_name(
-      command->add_option("-o,--output", arguments->output,
-                          "Folder for tessellation.ply, seeds.csv, regions.csv, remesh.ply,\n"
-                          "report.json"))
+  folder_name(command->add_option("-o,--output", arguments->output,
+                                  "Folder for tessellation.ply, seeds.csv, regions.csv, dual.ply,\n"
+                                  "report.json"))
       ->required();
   add_choice_list(*command, "--only", arguments->only, relax_output_names,
                   "Write only these of them, separated by commas, and leave out what\n"
@@ -341,7 +340,7 @@ void add_relax_command(CLI::App& program) {
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
-  add_remesh_options(*command, arguments->remesh);
+  add_dual_options(*command, arguments->dual);
   add_drop_option(*command, arguments->start.has_properties);
   add_engine_option(*command, arguments->engine.kind);
   add_frontier_option(*command, arguments->engine);

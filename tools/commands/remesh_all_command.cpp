@@ -22,14 +22,14 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
-#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/remesh_all_output.h"
-#include "tools/report/surface_remesh_output.h"
+#include "tools/report/remesh_output.h"
+#include "tools/run/remesh_run.h"
 #include "tools/run/stages.h"
-#include "tools/run/surface_remesh_run.h"
 #include "tools/run/work_queue.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_estimate.h"
@@ -46,7 +46,7 @@ namespace fs = std::filesystem;
 
 struct RemeshAllArguments {
   std::vector<fs::path> inputs;      ///< folders and meshes
-  SurfaceRemeshArguments each;       ///< but for the files
+  RemeshArguments each;              ///< but for the files
   std::optional<MeshFormat> format;  ///< nothing: as the input's
   fs::path folder;
   bool has_reports = false;
@@ -117,8 +117,8 @@ std::vector<RemeshTask> make_tasks(const RemeshAllArguments& arguments) {
 }
 
 // All files that one mesh gets, as `remesh` is told them.
-SurfaceRemeshArguments arguments_for(const RemeshAllArguments& arguments, const RemeshTask& task) {
-  SurfaceRemeshArguments one = arguments.each;
+RemeshArguments arguments_for(const RemeshAllArguments& arguments, const RemeshTask& task) {
+  RemeshArguments one = arguments.each;
   one.mesh = task.input;
   one.output = task.output;
   if (arguments.has_reports) one.report_file = task.output.string() + ".json";
@@ -198,7 +198,7 @@ class RemeshingAll {
 
   // An interrupted remesh is another one, so it is not written.
   void remesh(std::size_t task, MemoryShare& share, const Stopwatch& watch) {
-    const SurfaceRemeshArguments one = arguments_for(arguments_, tasks_[task]);
+    const RemeshArguments one = arguments_for(arguments_, tasks_[task]);
     Scheduler scheduler(threads_for(task), one.threads.backend);
     ProgressLine silent = ProgressLine::silent();
     const auto check_memory = [&](std::uint64_t bytes) {
@@ -250,7 +250,7 @@ class RemeshingAll {
 };
 
 void run_remesh_all(const RemeshAllArguments& arguments) {
-  check_surface_remesh(arguments.each);
+  check_remesh(arguments.each);
   if (!arguments.each.field.field_file().empty()) {
     throw InvalidInput("--vfield: a file belongs to one mesh: give curvature");
   }

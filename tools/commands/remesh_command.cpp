@@ -7,12 +7,12 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
-#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
-#include "tools/report/surface_remesh_output.h"
+#include "tools/report/remesh_output.h"
+#include "tools/run/remesh_run.h"
 #include "tools/run/stages.h"
-#include "tools/run/surface_remesh_run.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/memory_limit.h"
@@ -25,9 +25,9 @@
 namespace geolloyd {
 namespace {
 
-void run_remesh(const SurfaceRemeshArguments& arguments) {
+void run_remesh(const RemeshArguments& arguments) {
   if (!arguments.page_file.empty()) check_viewer();
-  check_surface_remesh(arguments);
+  check_remesh(arguments);
   check_remesh_targets(arguments);
   const Stopwatch total;
   ProgressLine progress;
@@ -37,8 +37,8 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
     catch_interrupts();
   };
   RemeshedInput done = remesh_input(arguments, check_memory, scheduler, progress);
-  SurfaceRemeshResult& result = done.result;
-  const SurfaceRemesh& remesh = result.made.remesh;
+  RemeshResult& result = done.result;
+  const Remesh& remesh = result.made.remesh;
   const SurfaceColours colours = colours_of(result.properties);
   keep_writable(arguments.output, result.properties);
 
@@ -70,7 +70,7 @@ void run_remesh(const SurfaceRemeshArguments& arguments) {
 void add_remesh_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "remesh", "Remesh a mesh as regularly as can be: vertices move freely over its surface");
-  const auto a = std::make_shared<SurfaceRemeshArguments>();
+  const auto a = std::make_shared<RemeshArguments>();
   command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
   add_fineness_options(*command, a->fineness);
   command->add_option("-o,--output", a->output, "File for the remesh: " + output_mesh_text)

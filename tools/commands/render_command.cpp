@@ -6,7 +6,7 @@
 
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/properties.h"
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
@@ -16,7 +16,7 @@
 #include "tools/render/panel.h"
 #include "tools/render/picture.h"
 #include "tools/render/sheet.h"
-#include "tools/run/remesh.h"
+#include "tools/run/dual.h"
 #include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -31,7 +31,7 @@ struct RenderArguments {
   StartArguments start;
   ThreadArguments threads;
   EngineArguments engine;  // its frontier
-  RemeshArguments remesh;
+  DualArguments dual;
   PictureArguments picture;
   std::filesystem::path output;
   std::vector<std::string> panels;
@@ -100,7 +100,7 @@ class Renderer {
                 make_ground_truth(scheduler_, start_.input.mesh(), start_.mesh_graph,
                                   found_.partition, start_.seeds));
     }
-    if (shows(PanelKind::remesh)) add_remesh(bundle, dual().mesh);
+    if (shows(PanelKind::dual)) add_remesh(bundle, dual().mesh);
     progress_.stage("writing " + arguments_.output.string());
     const std::string summary = geolloyd::write_page(arguments_.output, std::move(bundle));
     progress_.clear();
@@ -129,10 +129,10 @@ class Renderer {
   void find_partition() {
     Purpose purpose;
     purpose.picture = arguments_.picture;
-    purpose.has_remesh = any([](PanelKind kind) { return kind == PanelKind::remesh; });
+    purpose.has_dual = any([](PanelKind kind) { return kind == PanelKind::dual; });
     purpose.has_ground_truth =
         any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
-        arguments_.remesh.vertices == RemeshVertices::centroids;
+        arguments_.dual.vertices == DualVertices::centroids;
     start_ = prepare(arguments_.start, purpose, scheduler_, progress_);
     const Graph& graph = start_.mesh_graph.graph;
     found_ = partition_seeds(graph, start_.seeds, arguments_.engine.frontier, scheduler_);
@@ -140,20 +140,21 @@ class Renderer {
   }
 
   Pixels draw(PanelKind kind, const Scene& scene) {
-    if (kind != PanelKind::remesh) return to_pixels(scene, paint(kind, scene), scheduler_);
-    const GraphRemesh remesh = dual();
-    const Scene other = make_scene(remesh.mesh, scene.camera, Shading::flat, scheduler_);
+    if (kind != PanelKind::dual) return to_pixels(scene, paint(kind, scene), scheduler_);
+    const GraphDual made = dual();
+    const Scene other = make_scene(made.mesh, scene.camera, Shading::flat, scheduler_);
     QuadPairs pairs;
-    if (arguments_.remesh.quads) {
-      pairs = pair_triangles(remesh.mesh, find_edges(remesh.mesh, scheduler_));
+    if (arguments_.dual.quads) {
+      pairs = pair_triangles(made.mesh, find_edges(made.mesh, scheduler_));
     }
     return to_pixels(other, paint_mesh(other, scheduler_, {}, pairs.is_inner), scheduler_);
   }
 
-  GraphRemesh dual() {
-    return make_remesh({start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition,
-                        *found_.engine, scheduler_, start_.surface ? &*start_.surface : nullptr},
-                       {arguments_.remesh.manifold, arguments_.remesh.vertices}, scheduler_);
+  GraphDual dual() {
+    return make_graph_dual(
+        {start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition, *found_.engine,
+         scheduler_, start_.surface ? &*start_.surface : nullptr},
+        {arguments_.dual.manifold, arguments_.dual.vertices}, scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {
@@ -174,7 +175,7 @@ class Renderer {
       }
       case PanelKind::field:
         return paint_field(asked_field(), scene, scheduler_);
-      case PanelKind::remesh:
+      case PanelKind::dual:
         break;  // has a scene of its own
     }
     return {};
@@ -225,7 +226,7 @@ std::vector<Panel> check(const RenderArguments& a) {
 
 void add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a remesh");
+      "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a dual");
   const auto a = std::make_shared<RenderArguments>();
   add_mesh_argument(*command, a->start);
   command
@@ -236,7 +237,7 @@ void add_render_command(CLI::App& program) {
       ->required();
   command
       ->add_option("--panel", a->panels,
-                   "Content of a panel: surface|mesh|regions|trees|ground-truth|remesh|\n"
+                   "Content of a panel: surface|mesh|regions|trees|ground-truth|dual|\n"
                    "field. Several panels stand side by side. NAME=CAPTION puts text\n"
                    "below a panel")
       ->type_name("NAME")
@@ -246,7 +247,7 @@ void add_render_command(CLI::App& program) {
   add_picture_options(*command, a->picture);
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
-  add_remesh_options(*command, a->remesh);
+  add_dual_options(*command, a->dual);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   command->footer(

@@ -92,7 +92,7 @@ void run_repair(const RepairCommandArguments& arguments) {
   Properties carried = follow_origins(given.loaded.properties, repaired.mesh,
                                       repaired.vertex_origin, repaired.triangle_origin);
   keep_writable(arguments.output, carried);
-  write_mesh(files[0], repaired.mesh, carried);
+  write(files[0], repaired.mesh, carried);
   if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
   const Json report = {{"command", "repair"},
                        {"program", program_name()},

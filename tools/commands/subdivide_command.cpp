@@ -69,7 +69,7 @@ void add_subdivide_command(CLI::App& program) {
     for (const Scheme& scheme : arguments->schemes) {
       mesh = scheme.subdivide(mesh);
     }
-    write_mesh(arguments->output, mesh);
+    write(arguments->output, mesh);
     print_written_mesh("subdivide", arguments->output, mesh);
   });
 }

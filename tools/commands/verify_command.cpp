@@ -10,15 +10,15 @@
 #include "core/base/stopwatch.h"
 #include "core/lloyd/paired_engine.h"
 #include "core/lloyd/reference_engine.h"
-#include "core/surface/paired_surface_engine.h"
+#include "core/surface/cells/paired_surface_engine.h"
 #include "geolloyd/errors.h"
 #include "parallel/engine/parallel_engine.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
-#include "tools/cli/surface_remesh_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
+#include "tools/run/remesh.h"
 #include "tools/run/stages.h"
-#include "tools/run/surface_remesh.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/summary.h"
@@ -60,7 +60,7 @@ Json begin_agreement(const Input& input, const Scheduler& scheduler, bool was_in
   return result;
 }
 
-Json agreement(const VerifyArguments& a, const LoadedInput& loaded, const SurfaceRemesh& remesh,
+Json agreement(const VerifyArguments& a, const LoadedInput& loaded, const Remesh& remesh,
                const SurfaceComparison& comparison, const Scheduler& scheduler) {
   Json result = begin_agreement(loaded.input, scheduler, remesh.interrupted, remesh.fingerprint);
   result["options"] = {{"vertices", a.vertices}};
@@ -86,7 +86,7 @@ Json agreement(const VerifyArguments& a, const Start& start, const Relaxation& r
   return result;
 }
 
-void print_agreement(const LoadedInput& loaded, const SurfaceRemesh& remesh,
+void print_agreement(const LoadedInput& loaded, const Remesh& remesh,
                      const SurfaceComparison& comparison) {
   fmt::print("{}: {}, remesh of {}\n", loaded.input.file.string(),
              counted(loaded.input.facts.vertices, "vertex", "vertices"),
@@ -161,7 +161,7 @@ void verify_remesh(const VerifyArguments& a) {
   Scheduler scheduler = make_scheduler(a.threads);
   const LoadedInput loaded =
       load_surface(a.start.mesh, scheduler, progress, {!a.features.labels.empty()});
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = a.vertices;
   options.sizing = read_sizing(a.sizing, loaded);
   options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
@@ -174,7 +174,7 @@ void verify_remesh(const VerifyArguments& a) {
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
       make_surface_engines(EngineKind::reference, scheduler),
       make_surface_engines(EngineKind::parallel, scheduler), comparison);
-  SurfaceRemesh remesh;
+  Remesh remesh;
   try {
     remesh = time_remesh(loaded, options, make_pairs, scheduler, progress).remesh;
   } catch (const Disagreement& difference) {

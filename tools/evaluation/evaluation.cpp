@@ -49,7 +49,7 @@ std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec
   return closest_places(mesh, points, runtime.executor());
 }
 
-ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, SurfaceRemeshOptions options,
+ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,
                               Runtime& runtime) {
   validate(mesh);
   if (options.vertex_count > 0 || options.edge_length > 0) {
@@ -58,10 +58,10 @@ ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, SurfaceRemeshO
   Executor& executor = runtime.executor();
   const double diagonal = check_mesh(mesh, find_edges(mesh, executor), executor).bounding_diagonal;
   VertexSearch search(tolerance, most_vertices_to_try(mesh));
-  SurfaceRemesh best;
+  Remesh best;
   while (const auto vertices = search.next()) {
     options.vertex_count = *vertices;
-    SurfaceRemesh made = remesh_surface(mesh, options, runtime);
+    Remesh made = remesh(mesh, options, runtime);
     const bool is_interrupted = made.interrupted;
     if (search.add(measure_trial(mesh, diagonal, made.mesh, executor))) best = std::move(made);
     if (!is_interrupted) continue;

@@ -57,7 +57,7 @@ py::tuple read(const std::filesystem::path& path) {
   LoadedMesh loaded;
   {
     const py::gil_scoped_release working;
-    loaded = read_mesh(path, {true});
+    loaded = read(path, {true});
   }
   auto [vertices, faces] = arrays_of(std::move(loaded.mesh));
   return py::make_tuple(vertices, faces, arrays_of(std::move(loaded.properties.of_vertices)),
@@ -69,7 +69,7 @@ void write(const std::filesystem::path& path, const NumberArray& vertices, const
   const Mesh mesh = mesh_of(vertices, faces);
   const Properties properties{properties_of(of_vertices), properties_of(of_triangles), {}};
   const py::gil_scoped_release working;
-  write_mesh(path, mesh, properties);
+  write(path, mesh, properties);
 }
 
 py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_t random_seed) {

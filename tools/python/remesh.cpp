@@ -21,8 +21,8 @@ struct Fineness {
   double tolerance = 0;
 };
 
-ToleranceRemesh make_remesh(const Mesh& mesh, const Fineness& fineness,
-                            SurfaceRemeshOptions options, bool by_curvature, std::size_t threads) {
+ToleranceRemesh make_graph_dual(const Mesh& mesh, const Fineness& fineness, RemeshOptions options,
+                                bool by_curvature, std::size_t threads) {
   Threads runtime(threads);
   if (by_curvature) options.field = curvature_field(mesh, runtime);
   if (fineness.tolerance != 0) {
@@ -30,7 +30,7 @@ ToleranceRemesh make_remesh(const Mesh& mesh, const Fineness& fineness,
   }
   options.vertex_count = fineness.count;
   options.edge_length = fineness.edge_length;
-  return {remesh_surface(mesh, options, runtime), {}};
+  return {remesh(mesh, options, runtime), {}};
 }
 
 py::list trials_of(const std::vector<ToleranceTrial>& trials) {
@@ -53,7 +53,7 @@ py::list trace_of(const std::vector<SurfaceStep>& steps) {
 }
 
 py::dict report_of(const ToleranceRemesh& made) {
-  const SurfaceRemesh& remesh = made.remesh;
+  const Remesh& remesh = made.remesh;
   py::dict report;
   report["fingerprint"] = fingerprint_words(remesh.fingerprint);
   report["vertices"] = remesh.mesh.vertex_count();
@@ -65,9 +65,9 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["input_vertices_cut"] = remesh.vertices_cut;
   report["surplus_vertices"] = static_cast<std::int64_t>(remesh.mesh.vertex_count()) -
                                static_cast<std::int64_t>(remesh.vertices_asked_for);
-  report["chain_vertices"] = remesh.chain_vertices;
+  report["curve_vertices"] = remesh.curve_vertices;
   report["feature_length"] = remesh.feature_length();
-  report["pinholes"] = remesh.pinholes;
+  report["subresolution_holes"] = remesh.subresolution_holes;
   report["edges_flipped"] = remesh.edges_flipped;
   report["vertices_fitted"] = remesh.vertices_fitted;
   report["closed_ball_violations_left"] = remesh.violations_left;
@@ -105,20 +105,20 @@ py::tuple remesh_arrays(const NumberArray& vertices, const IdArray& faces, std::
                         const std::optional<IdArray>& groups, const std::optional<IdArray>& fixed,
                         bool fit, const py::object& progress, std::size_t threads) {
   const Mesh mesh = mesh_of(vertices, faces);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.sizing = {numbers_of(lengths), numbers_of(densities), adapt, growth};
   options.field = spaces_of(field);
   options.features = features_of(creases, crease_angle, feature_edges, groups, fixed);
   options.fit = fit;
   Watch watch(progress);
-  options.progress = [&watch](const SurfaceRemeshProgress& p) {
+  options.progress = [&watch](const RemeshProgress& p) {
     return watch.keep_going(p.sites, p.wanted_sites, p.iteration, p.energy_ratio);
   };
   ToleranceRemesh made;
   {
     const py::gil_scoped_release working;
-    made = make_remesh(mesh, {count, edge_length, tolerance}, std::move(options), by_curvature,
-                       threads);
+    made = make_graph_dual(mesh, {count, edge_length, tolerance}, std::move(options), by_curvature,
+                           threads);
   }
   py::dict report = report_of(made);
   auto [made_vertices, made_faces] = arrays_of(std::move(made.remesh.mesh));

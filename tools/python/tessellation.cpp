@@ -6,8 +6,8 @@
 
 #include "geolloyd/evaluation.h"
 #include "geolloyd/fields.h"
+#include "geolloyd/relax.h"
 #include "geolloyd/remesh.h"
-#include "geolloyd/tessellate.h"
 #include "geolloyd/threads.h"
 #include "tools/python/arrays.h"
 #include "tools/python/module.h"
@@ -28,7 +28,7 @@ enum class SurfaceField { given, curvature, cross };
 // What all functions of this file take.
 struct Request {
   Mesh mesh;
-  TessellateOptions options;
+  RelaxOptions options;
   SurfaceField field = SurfaceField::given;
   std::size_t threads = 0;
 
@@ -108,7 +108,7 @@ py::tuple tessellate_arrays(const NumberArray& vertices, const IdArray& faces,
                             std::uint32_t max_greedy_steps, std::uint32_t max_macrosteps,
                             std::uint32_t improvement_rounds, const py::object& progress) {
   Request request(vertices, faces, given);
-  TessellateOptions& options = request.options;
+  RelaxOptions& options = request.options;
   options.greedy = choice_of("greedy", greedy_choice_names, greedy);
   options.max_greedy_steps = max_greedy_steps;
   options.max_macrosteps = max_macrosteps;
@@ -118,8 +118,8 @@ py::tuple tessellate_arrays(const NumberArray& vertices, const IdArray& faces,
     return watch.keep_going(name_of(phase_names, p.phase), p.step, p.seeds_moving, p.energy);
   };
   auto made = std::make_shared<Tessellated>();
-  made->tessellation = work_on(
-      request, [&](Runtime& runtime) { return tessellate(request.mesh, options, runtime); });
+  made->tessellation =
+      work_on(request, [&](Runtime& runtime) { return relax(request.mesh, options, runtime); });
   made->mesh = std::move(request.mesh);
   py::dict words = words_of(made->tessellation);
   return py::make_tuple(words, made);
@@ -143,15 +143,15 @@ py::array distances_of_arrays(const NumberArray& vertices, const IdArray& faces,
 
 py::tuple dual(const Tessellated& made, bool manifold, std::size_t threads) {
   Watch watch{py::none()};
-  RemeshOptions options;
+  DualOptions options;
   options.manifold = manifold;
   options.keep_going = [&watch] { return watch.keep_going(); };
-  Remesh remeshed;
+  Dual remeshed;
   std::vector<SurfacePoint> places;
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
-    remeshed = remesh(made.mesh, made.tessellation, options, runtime);
+    remeshed = dual(made.mesh, made.tessellation, options, runtime);
     places = closest_points(made.mesh, remeshed.mesh.positions, runtime);
   }
   py::dict report;
@@ -199,8 +199,8 @@ void bind_tessellation(py::module_& module) {
   py::class_<Tessellated, std::shared_ptr<Tessellated>>(module, "Tessellated")
       .def("dual", &dual, py::arg("manifold"), py::arg("threads"))
       .def("ground_truth", &ground_truth, py::arg("threads"));
-  module.def("tessellate", &tessellate_arrays, py::arg("vertices"), py::arg("faces"),
-             py::arg("options"), py::kw_only(), py::arg("greedy"), py::arg("max_greedy_steps"),
+  module.def("relax", &tessellate_arrays, py::arg("vertices"), py::arg("faces"), py::arg("options"),
+             py::kw_only(), py::arg("greedy"), py::arg("max_greedy_steps"),
              py::arg("max_macrosteps"), py::arg("improvement_rounds"), py::arg("progress"));
   module.def("first_seeds", &first_seeds_of_arrays, py::arg("vertices"), py::arg("faces"),
              py::arg("options"));

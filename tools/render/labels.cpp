@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 
 namespace geolloyd {
 namespace {

@@ -10,7 +10,7 @@ const std::vector<Named<PanelKind>> panel_kind_names = {
     {"regions", PanelKind::regions},
     {"trees", PanelKind::trees},
     {"ground-truth", PanelKind::ground_truth},
-    {"remesh", PanelKind::remesh},
+    {"dual", PanelKind::dual},
     {"field", PanelKind::field},
 };
 

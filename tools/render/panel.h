@@ -9,12 +9,12 @@
 namespace geolloyd {
 
 /// What a panel shows (painters.h).
-enum class PanelKind { surface, mesh, regions, trees, ground_truth, remesh, field };
+enum class PanelKind { surface, mesh, regions, trees, ground_truth, dual, field };
 extern const std::vector<Named<PanelKind>> panel_kind_names;
 
 inline bool needs_partition(PanelKind kind) {
   return kind == PanelKind::regions || kind == PanelKind::trees ||
-         kind == PanelKind::ground_truth || kind == PanelKind::remesh;
+         kind == PanelKind::ground_truth || kind == PanelKind::dual;
 }
 
 /// A part of a picture, as it is asked for.

@@ -24,7 +24,7 @@ namespace geolloyd {
 namespace {
 
 constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
-                                                    "remesh.ply", "report.json"};
+                                                    "dual.ply", "report.json"};
 
 std::filesystem::path path_of(const RelaxArguments& arguments, RelaxOutput output) {
   return arguments.output / relax_names[static_cast<std::size_t>(output)];
@@ -65,12 +65,12 @@ void write_regions_csv(const MeshGraph& mesh_graph, const Partition& partition, 
   }
 }
 
-void write_remesh(const Result& result, FileWriter& out) {
-  const Mesh& mesh = result.remesh->mesh;
+void write_dual(const Result& result, FileWriter& out) {
+  const Mesh& mesh = result.dual->mesh;
   if (result.quads) {
-    write_faces_ply(out, mesh, result.quads->faces, result.remesh_properties);
+    write_faces_ply(out, mesh, result.quads->faces, result.dual_properties);
   } else {
-    write_mesh(out, mesh, result.remesh_properties);
+    write(out, mesh, result.dual_properties);
   }
 }
 
@@ -165,7 +165,7 @@ void write_results(const Start& start, const Result& result, ResultFiles& files,
                         [&](FileWriter& file) { write_regions_csv(mesh_graph, partition, file); });
       },
       [&] {
-        write_if_wanted(RelaxOutput::remesh, [&](FileWriter& file) { write_remesh(result, file); });
+        write_if_wanted(RelaxOutput::dual, [&](FileWriter& file) { write_dual(result, file); });
       },
       [&] {
         write_if_wanted(RelaxOutput::seeds, [&](FileWriter& file) {

@@ -8,8 +8,8 @@
 
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
+#include "tools/report/remesh_output.h"
 #include "tools/report/report_parts.h"
-#include "tools/report/surface_remesh_output.h"
 #include "tools/system/build_facts.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/facts_text.h"
@@ -28,7 +28,7 @@ Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
   row["seconds"] = seconds;
   row["error"] = nullptr;
   if (done == nullptr) return row;
-  const SurfaceRemesh& remesh = done->result.made.remesh;
+  const Remesh& remesh = done->result.made.remesh;
   const RemeshFigures& figures = done->result.figures;
   const MeshFacts& facts = done->loaded.input.facts;
   row["output"] = task.output.string();
@@ -50,10 +50,10 @@ Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
 }  // namespace
 
 RemeshRecord::RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem::path folder,
-                           const SurfaceRemeshArguments& arguments, std::size_t threads)
+                           const RemeshArguments& arguments, std::size_t threads)
     : tasks_(tasks),
       folder_(std::move(folder)),
-      options_(surface_remesh_options_part(arguments, threads)),
+      options_(remesh_options_part(arguments, threads)),
       rows_(tasks.size()) {}
 
 void RemeshRecord::add(std::size_t task, const RemeshedInput& done) {

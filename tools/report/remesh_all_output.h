@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "tools/cli/surface_remesh_arguments.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/files/json.h"
-#include "tools/run/surface_remesh_run.h"
+#include "tools/run/remesh_run.h"
 
 namespace geolloyd {
 
@@ -29,7 +29,7 @@ class RemeshRecord {
 
   /// `tasks` must live on.
   RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem::path folder,
-               const SurfaceRemeshArguments& arguments, std::size_t threads);
+               const RemeshArguments& arguments, std::size_t threads);
 
   void add(std::size_t task, const RemeshedInput& done);
   /// Why there is no remesh, in one line.

@@ -2,161 +2,367 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <string_view>
+#include <vector>
 
+#include "core/formats/mesh_formats.h"
+#include "core/formats/mesh_io.h"
+#include "geolloyd/errors.h"
+#include "tools/files/csv.h"
+#include "tools/files/output_folder.h"
+#include "tools/render/painters.h"
+#include "tools/render/picture.h"
+#include "tools/report/quality_output.h"
 #include "tools/report/report_parts.h"
+#include "tools/system/build_facts.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
 namespace {
 
-std::string describe(ViolationKind kind) {
-  switch (kind) {
-    case ViolationKind::region:
-      return "is no disc";
-    case ViolationKind::contact:
-      return "meet in several places";
-    case ViolationKind::triple:
-      return "meet at several corners";
-    case ViolationKind::isolation:
-      return "touches no corner of three";
+// Those of a run, the mesh first. The last one tells scripts that all are there.
+std::vector<std::filesystem::path> files_of(const RemeshArguments& a) {
+  std::vector<std::filesystem::path> files = {a.output};
+  for (const auto& file : {a.map_file, a.report_file}) {
+    if (!file.empty()) files.push_back(file);
   }
-  return "";
+  return files;
 }
 
-std::string describe(const ClosedBallViolation& violation) {
-  std::string regions;
-  std::size_t count = 0;
-  for (const RegionId r : violation.regions) {
-    if (r == no_id) continue;
-    regions += (count++ == 0 ? " " : ", ") + std::to_string(r);
+void write_map(const Remesh& remesh, FileWriter& out) {
+  out.text("vertex,triangle,weight_0,weight_1,weight_2\n");
+  for (std::size_t v = 0; v < remesh.places.size(); ++v) {
+    const auto& [triangle, weight] = remesh.places[v];
+    if (triangle == no_id) {
+      write_row(out, v, "-1", "nan", "nan", "nan");
+    } else {
+      write_row(out, v, triangle, weight[0], weight[1], weight[2]);
+    }
   }
-  return (count == 1 ? "region" : "regions") + regions + " " + describe(violation.kind);
 }
 
-std::string describe(ViolationsLeft why) {
-  switch (why) {
-    case ViolationsLeft::none:
-      return "";
-    case ViolationsLeft::not_asked:
-      return ", and seeds were not to be added (--no-manifold)";
-    case ViolationsLeft::stopped:
-      return ", and the work was interrupted";
-    case ViolationsLeft::bounded:
-      return ", and no more seeds are added to an input that is no manifold";
-    case ViolationsLeft::no_room:
-      return ", and no further seed there helps: use a finer mesh";
-  }
-  return "";
-}
-
-std::string describe_input(const GraphRemesh& remesh) {
-  return "the input is no manifold: " + describe(remesh.input_topology);
-}
-
-// Why the remesh is no manifold of the input's topology; empty where it is one.
-std::string find_flaw(const GraphRemesh& remesh) {
-  if (remesh.is_manifold() && remesh.has_input_topology() && remesh.violations_left.empty()) {
-    return "";
-  }
-  const auto& left = remesh.violations_left;
-  const auto first = std::find_if(left.begin(), left.end(),
-                                  [](const ClosedBallViolation& v) { return !v.is_of_input; });
-  if (first != left.end()) return describe(*first) + describe(remesh.why_left);
-  if (!remesh.input_topology.is_manifold()) return describe_input(remesh);
-  return "its topology differs from the input's";
-}
-
-std::string line(const std::string& text) {
+std::string continued(const std::string& text) {
   return fmt::format("  {:<12}{}\n", "", text);
 }
 
-std::string line_if(std::size_t count, const char* singular, const char* plural) {
-  return count == 0 ? "" : line(counted(count, singular, plural));
+std::string describe_moves(const Remesh& remesh) {
+  std::string text = fmt::format("  {:<12}{}{}", "sites",
+                                 remesh.interrupted ? "INTERRUPTED, best state so far, after " : "",
+                                 counted(remesh.steps.size(), "iteration", "iterations"));
+  if (!remesh.steps.empty()) {
+    const std::size_t first = remesh.steps.front().sites;
+    const std::size_t last = remesh.steps.back().sites;
+    text += first == last ? fmt::format(", {} sites", grouped(last))
+                          : fmt::format(", from {} to {} sites", grouped(first), grouped(last));
+  }
+  return text + fmt::format("\n  {:<12}{:.8g}, {:.5g} of a regular hexagonal tiling\n", "energy",
+                            remesh.energy, remesh.energy / remesh.energy_of_hexagonal_tiling);
 }
 
-Json violations_part(std::span<const ClosedBallViolation> violations) {
-  return {{"regions_not_discs", count(violations, ViolationKind::region)},
-          {"contacts_not_curves", count(violations, ViolationKind::contact)},
-          {"triples_with_several_corners", count(violations, ViolationKind::triple)},
-          {"regions_without_corner", count(violations, ViolationKind::isolation)},
-          {"of_the_input", std::count_if(violations.begin(), violations.end(),
-                                         [](const auto& v) { return v.is_of_input; })}};
+// Of the input where it is a manifold, else of what it is cut apart into.
+MeshTopology surface_topology(const Remesh& remesh) {
+  MeshTopology topology;
+  topology.parts = remesh.surface_parts;
+  return topology;
 }
 
-}  // namespace
+// Why the remesh is no manifold of the input's topology; empty where it is one.
+std::string find_flaw(const Remesh& remesh) {
+  if (remesh.has_input_topology()) return "";
+  const PartTopology surface = surface_topology(remesh).total();
+  std::string flaw = fmt::format(
+      "the input has {}, Euler characteristic {}, {}",
+      counted(remesh.surface_parts.size(), "component", "components"), surface.euler_characteristic,
+      counted(surface.boundary_loops, "boundary loop", "boundary loops"));
+  if (remesh.violations_left > 0) {
+    flaw += fmt::format("; {} where cells do not meet as they should",
+                        counted(remesh.violations_left, "place", "places"));
+  }
+  return flaw;
+}
 
-std::string describe(const GraphRemesh& remesh) {
+std::string describe(const std::vector<ToleranceTrial>& trials, double diagonal) {
+  if (trials.empty()) return "";
+  std::string text;
+  for (const ToleranceTrial& trial : trials) {
+    text += fmt::format("{}{} {:.3g} %", text.empty() ? "" : ", ", grouped(trial.vertices),
+                        100 * trial.distance / diagonal);
+  }
+  return fmt::format("  {:<12}vertices and largest distance, of the diagonal: {}\n", "tried", text);
+}
+
+std::string describe_size(const Remesh& remesh) {
+  const std::size_t vertices = remesh.mesh.vertex_count();
+  const std::size_t wanted = remesh.vertices_asked_for;
+  if (vertices > wanted) {
+    return continued(counted(vertices - wanted, "vertex", "vertices") +
+                     " more than asked for, which the topology needs");
+  }
+  if (vertices < wanted) {
+    return continued(counted(wanted - vertices, "vertex", "vertices") + " fewer than asked for");
+  }
+  return "";
+}
+
+std::string describe(const Remesh& remesh) {
+  const bool has_topology = remesh.has_input_topology();
   std::string text =
-      fmt::format("  {:<12}{}, {}, Euler characteristic {}, {}\n", "remesh",
+      fmt::format("  {:<12}{}, {}, {}, Euler characteristic {}, {}{}\n", "remesh",
                   counted(remesh.mesh.vertex_count(), "vertex", "vertices"),
                   counted(remesh.mesh.triangle_count(), "triangle", "triangles"),
-                  remesh.topology.total().euler_characteristic, describe(remesh.topology));
-  if (remesh.seeds_added > 0) {
-    text += line(counted(remesh.seeds_added, "seed", "seeds") +
-                 " added where regions did not meet as they should");
+                  counted(remesh.topology.parts.size(), "component", "components"),
+                  remesh.topology.total().euler_characteristic, describe(remesh.topology),
+                  has_topology && remesh.vertices_cut == 0 ? ", of the input's topology" : "");
+  text += describe_size(remesh);
+  if (!remesh.feature_edges.empty()) {
+    text += continued(fmt::format("{} of length {:.6g} run along features of the input",
+                                  counted(remesh.feature_edges.size(), "edge", "edges"),
+                                  remesh.feature_length()));
   }
-  if (remesh.interrupted) text += line("INTERRUPTED while seeds were added");
-  text += line_if(remesh.flipped, "triangle faces away from the surface",
-                  "triangles face away from the surface");
-  text += line_if(remesh.flat, "triangle without area", "triangles without area");
-  text += line_if(remesh.folds, "edge folded by more than 150 degrees",
-                  "edges folded by more than 150 degrees");
+  if (remesh.subresolution_holes > 0) {
+    text += continued(counted(remesh.subresolution_holes,
+                              "hole smaller than a triangle is a missing triangle",
+                              "holes smaller than a triangle are missing triangles"));
+  }
+  if (remesh.vertices_cut > 0) {
+    text += continued(fmt::format("{}the input, which is no manifold and was cut apart at {}",
+                                  has_topology ? "of the topology of " : "made from ",
+                                  counted(remesh.vertices_cut, "vertex", "vertices")));
+  }
   const std::string flaw = find_flaw(remesh);
   if (!flaw.empty()) {
-    text += line(std::string(remesh.is_manifold() ? "a manifold" : "NO MANIFOLD") +
-                 (remesh.has_input_topology() ? ", of the input's topology: "
-                                              : ", NOT OF THE INPUT'S TOPOLOGY: ") +
-                 flaw);
-  }
-  if (!remesh.input_topology.is_manifold() && flaw != describe_input(remesh)) {
-    text += line(describe_input(remesh));
+    text += continued(std::string(remesh.is_manifold() ? "" : "NO MANIFOLD, ") +
+                      "NOT OF THE INPUT'S TOPOLOGY: " + flaw);
   }
   return text;
 }
 
-std::string describe(const std::optional<QuadPairs>& quads) {
-  if (!quads) return "";
-  const std::size_t triangles = quads->faces.size() - quads->quads;
-  std::string text = counted(quads->quads, "quadrilateral", "quadrilaterals") + " and " +
-                     counted(triangles, "triangle", "triangles");
-  if (quads->quads > 0) {
-    text += fmt::format("; corners of {:.0f} to {:.0f} degrees", quads->smallest_angle,
-                        quads->largest_angle);
+std::string describe(const RemeshFigures& figures, double diagonal) {
+  std::string text = describe(figures.quality);
+  if (figures.in_metric) text += describe_in_metric(*figures.in_metric);
+  if (figures.length_ratios) {
+    const EdgeLengthRatios& ratios = *figures.length_ratios;
+    text += fmt::format(
+        "  {:<12}of what is asked for: median {:.3f}; 5 % below {:.3f}, 5 % above {:.3f}; {:.1f} % "
+        "within a third\n",
+        "lengths", ratios.median, ratios.fifth, ratios.ninety_fifth, 100 * ratios.share_in_third);
   }
-  return line(text);
+  if (!figures.distance) return text;
+  const DistanceFigures& distance = *figures.distance;
+  text += fmt::format(
+      "  {:<12}from the input to the remesh: mean {:.4g}, {:.4g} % of the diagonal; "
+      "largest {:.4g}, {:.4g} %\n",
+      "distance", distance.mean, 100 * distance.mean / diagonal, distance.largest,
+      100 * distance.largest / diagonal);
+  if (figures.volume_error) {
+    text += continued(
+        fmt::format("volume inside: {:+.3g} % of the input's", 100 * *figures.volume_error));
+  }
+  return text;
 }
 
-Json quads_part(const std::optional<QuadPairs>& quads) {
-  if (!quads) return nullptr;
-  return {{"quadrilaterals", quads->quads},
-          {"triangles", quads->faces.size() - quads->quads},
-          {"smallest_angle", quads->quads > 0 ? Json(quads->smallest_angle) : Json(nullptr)},
-          {"largest_angle", quads->quads > 0 ? Json(quads->largest_angle) : Json(nullptr)}};
+std::string describe_cost(const LoadedInput& loaded, const RemeshResult& result) {
+  const TimedRemesh::Seconds& remesh = result.made.seconds;
+  return fmt::format(
+      "  {:<12}{:.2f} s: load {:.2f}, edges {:.2f}, prepare {:.2f}, move {:.2f}, assemble {:.2f}, "
+      "judge {:.2f}, write {:.2f}; {:.0f} MB, {}\n",
+      "time", result.total_seconds, loaded.seconds, loaded.edge_seconds, remesh.prepare,
+      remesh.move, remesh.assemble, result.judge_seconds, result.write_seconds,
+      static_cast<double>(result.peak_memory_bytes) * 1e-6,
+      counted(result.threads, "thread", "threads"));
 }
 
-Json remesh_part(const GraphRemesh& remesh) {
+std::string describe_files(const RemeshArguments& arguments) {
+  std::string names;
+  for (const auto& file : files_of(arguments)) names.append(" ").append(file.string());
+  std::string text = fmt::format("  {:<11}{}\n", "written", names);
+  if (!arguments.picture_file.empty()) text += continued(arguments.picture_file.string());
+  return text;
+}
+
+Json trials_part(const std::vector<ToleranceTrial>& trials) {
+  Json part = Json::array();
+  for (const ToleranceTrial& trial : trials) {
+    part.push_back({{"vertices", trial.vertices}, {"distance", trial.distance}});
+  }
+  return part;
+}
+
+Json remesh_part(const Remesh& remesh) {
   const std::string flaw = find_flaw(remesh);
-  return {{"vertices", remesh.mesh.vertex_count()},
+  const auto vertices = static_cast<std::int64_t>(remesh.mesh.vertex_count());
+  const auto wanted = static_cast<std::int64_t>(remesh.vertices_asked_for);
+  return {{"vertices", vertices},
           {"triangles", remesh.mesh.triangle_count()},
-          {"seeds_added", remesh.seeds_added},
-          {"interrupted", remesh.interrupted},
-          {"reassigned_points", remesh.reassigned_points},
+          {"surplus_vertices", vertices - wanted},
+          {"curve_vertices", remesh.curve_vertices},
+          {"feature_edges", remesh.feature_edges.size()},
+          {"feature_length", remesh.feature_length()},
+          {"subresolution_holes", remesh.subresolution_holes},
+          {"edges_flipped", remesh.edges_flipped},
+          {"vertices_fitted", remesh.vertices_fitted},
           {"is_manifold", remesh.is_manifold()},
           {"has_input_topology", remesh.has_input_topology()},
-          {"input_is_manifold", remesh.input_topology.is_manifold()},
+          {"input_is_manifold", remesh.vertices_cut == 0},
+          {"input_vertices_cut", remesh.vertices_cut},
           {"flaw", flaw.empty() ? Json(nullptr) : Json(flaw)},
           {"topology", topology_part(remesh.topology)},
-          {"input_topology", topology_part(remesh.input_topology)},
-          {"repeated_triangles", remesh.repeated},
-          {"back_to_back_triangles", remesh.back_to_back},
-          {"flipped_triangles", remesh.flipped},
-          {"triangles_without_area", remesh.flat},
-          {"folded_edges", remesh.folds},
-          {"closed_ball_violations_found", violations_part(remesh.violations_found)},
-          {"closed_ball_violations_left", violations_part(remesh.violations_left)}};
+          {"input_topology", topology_part(surface_topology(remesh))},
+          {"closed_ball_violations_left", remesh.violations_left}};
+}
+
+Json ratios_part(const RemeshFigures& figures) {
+  if (!figures.length_ratios) return nullptr;
+  const EdgeLengthRatios& ratios = *figures.length_ratios;
+  return {{"percentile_5", ratios.fifth},
+          {"median", ratios.median},
+          {"percentile_95", ratios.ninety_fifth},
+          {"within_a_third_percent", 100 * ratios.share_in_third}};
+}
+
+Json distance_part(const RemeshFigures& figures, double diagonal) {
+  if (!figures.distance) return nullptr;
+  Json part = {{"samples", figures.samples}};
+  part.update(distance_part(*figures.distance, diagonal));
+  return part;
+}
+
+Json seconds_part(const LoadedInput& loaded, const RemeshResult& result) {
+  const TimedRemesh::Seconds& remesh = result.made.seconds;
+  return {{"load", loaded.seconds},        {"edges", loaded.edge_seconds},
+          {"prepare", remesh.prepare},     {"move", remesh.move},
+          {"assemble", remesh.assemble},   {"judge", result.judge_seconds},
+          {"write", result.write_seconds}, {"total", result.total_seconds}};
+}
+
+Json trace_part(const Remesh& remesh) {
+  Json trace = Json::array();
+  for (const SurfaceStep& step : remesh.steps) {
+    trace.push_back({{"sites", step.sites},
+                     {"mesh_vertices", step.mesh_vertices},
+                     {"energy", step.energy},
+                     {"seconds", step.seconds}});
+  }
+  return trace;
+}
+
+std::string report_text(const RemeshArguments& arguments, const LoadedInput& loaded,
+                        const RemeshResult& result) {
+  const Remesh& remesh = result.made.remesh;
+  Json report;
+  report["command"] = "remesh";
+  report["program"] = program_name();
+  report["machine"] = machine_part();
+  report["input"] = mesh_part(loaded.input);
+  report["repairs"] = repairs_part(loaded.input.repairs);
+  report["options"] = remesh_options_part(arguments, result.threads);
+  report["interrupted"] = remesh.interrupted;
+  report["trials"] = trials_part(result.trials);
+  report["iterations"] = remesh.steps.size();
+  report["energy"] = remesh.energy;
+  report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
+  report["remesh"] = remesh_part(remesh);
+  report["properties"] = properties_part(result.properties);
+  report["quality"] = quality_part(result.figures.quality);
+  report["quality_in_metric"] =
+      result.figures.in_metric ? quality_part(*result.figures.in_metric) : Json(nullptr);
+  report["edge_length_ratios"] = ratios_part(result.figures);
+  report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
+  report["remesh"]["volume_error_percent"] =
+      result.figures.volume_error ? Json(100 * *result.figures.volume_error) : Json(nullptr);
+  report["fingerprint"] = fingerprint_text(remesh.fingerprint);
+  report["seconds"] = seconds_part(loaded, result);
+  report["memory_estimate_bytes"] = result.memory_estimate;
+  report["peak_memory_bytes"] = result.peak_memory_bytes;
+  report["trace"] = trace_part(remesh);
+  return json_text(report);
+}
+
+}  // namespace
+
+void check_remesh_targets(const RemeshArguments& a) {
+  (void)format_to_write(a.output);
+  std::vector<std::filesystem::path> others = a.inputs();
+  for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file, a.page_file}) {
+    if (file.empty()) continue;
+    check_target(file, others);
+    others.push_back(file);
+  }
+}
+
+FileGroup open_remesh_files(const RemeshArguments& arguments) {
+  return FileGroup(files_of(arguments));
+}
+
+void write_remesh(const RemeshArguments& arguments, const RemeshResult& result, FileGroup& files) {
+  const Remesh& remesh = result.made.remesh;
+  write(files[0], remesh.mesh, result.properties);
+  if (!arguments.map_file.empty()) write_map(remesh, files[1]);
+}
+
+std::string remesh_report(const RemeshArguments& arguments, const LoadedInput& loaded,
+                          const RemeshResult& result) {
+  return report_text(arguments, loaded, result);
+}
+
+void write_remesh_report(const RemeshArguments& arguments, const LoadedInput& loaded,
+                         const RemeshResult& result, FileGroup& files) {
+  if (!arguments.report_file.empty()) {
+    files[arguments.map_file.empty() ? 1 : 2].text(report_text(arguments, loaded, result));
+  }
+  files.commit();
+}
+
+Json remesh_options_part(const RemeshArguments& a, std::size_t threads) {
+  const FinenessArguments& fineness = a.fineness;
+  const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
+  return {{"vertices", or_null(fineness.vertices)},
+          {"edge_length", or_null(fineness.edge_length)},
+          {"tolerance", or_null(fineness.tolerance)},
+          {"tolerance_is_percentage", fineness.is_percentage},
+          {"sizing", a.sizing.lengths_file.string()},
+          {"density", a.sizing.densities_file.string()},
+          {"adapt", a.sizing.adapt},
+          {"growth",
+           a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
+          {"vfield", a.field.vfield.string()},
+          {"repair", a.repair.is_wanted},
+          {"fill_holes", fill_holes_part(a.repair)},
+          {"features", name_of_creases(a.features)},
+          {"feature_edges", a.features.edges_file.string()},
+          {"feature_labels", a.features.labels},
+          {"fixed", a.features.fixed_file.string()},
+          {"fit", !a.no_fit},
+          {"drop", !a.carries_properties},
+          {"engine", name_of(engine_names, a.engine)},
+          {"threads", threads},
+          {"backend", backend_part(a.engine, a.threads.backend)}};
+}
+
+void write_remesh_picture(const RemeshArguments& arguments, const Mesh& remesh,
+                          const SurfaceColours& colours, Scheduler& scheduler) {
+  const PictureArguments& look = arguments.picture;
+  const Picture picture(remesh, look.view, look.size, 1, false, scheduler);
+  const Canvas canvas = paint_mesh(picture.scene(), scheduler, colours);
+  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
+  picture.write(arguments.picture_file, panels);
+}
+
+std::string describe(const RemeshArguments& arguments, const LoadedInput& loaded,
+                     const RemeshResult& result) {
+  const Remesh& remesh = result.made.remesh;
+  const Input& input = loaded.input;
+  return fmt::format("{}\n{}", input.file.string(),
+                     describe(input.loaded, input.facts, HandledBy::surface)) +
+         (input.repairs ? describe(*input.repairs) : "") +
+         describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
+         describe(remesh) + describe(result.properties) +
+         describe(result.figures, input.facts.bounding_diagonal) +
+         fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
+         describe_cost(loaded, result) + describe_files(arguments);
 }
 
 }  // namespace geolloyd

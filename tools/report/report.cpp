@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/evaluation/hexagonal_energy.h"
+#include "tools/report/dual_output.h"
 #include "tools/report/ground_truth_output.h"
-#include "tools/report/remesh_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
 #include "tools/words/names.h"
@@ -52,8 +52,8 @@ Json options_part(const RelaxArguments& a, const Result& result) {
   part["repair"] = a.start.repair.is_wanted;
   part["fill_holes"] = fill_holes_part(a.start.repair);
   part["drop"] = !a.start.has_properties;
-  part["manifold"] = a.remesh.manifold;
-  part["remesh_vertices"] = name_of(remesh_vertices_names, a.remesh.vertices);
+  part["manifold"] = a.dual.manifold;
+  part["dual_vertices"] = name_of(dual_vertices_names, a.dual.vertices);
   return part;
 }
 
@@ -63,7 +63,7 @@ Json seconds_part(const Start::Seconds& start, const Cost& cost) {
           {"seeds", start.seeds},
           {"relax", cost.relax_seconds},
           {"ground_truth", cost.ground_truth_seconds},
-          {"remesh", cost.remesh_seconds},
+          {"dual", cost.dual_seconds},
           {"write", cost.write_seconds},
           {"total", cost.total_seconds}};
 }
@@ -98,11 +98,11 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   const RegionSpread areas = region_spread(result.regions);
   report["region_area"] = {
       {"deviation", areas.deviation}, {"smallest", areas.smallest}, {"largest", areas.largest}};
-  report["isoperimetric_ratio"] = {{"mean", result.remesh->roundness.mean},
-                                   {"min", result.remesh->roundness.min}};
-  report["remesh"] = remesh_part(*result.remesh);
+  report["isoperimetric_ratio"] = {{"mean", result.dual->roundness.mean},
+                                   {"min", result.dual->roundness.min}};
+  report["dual"] = dual_part(*result.dual);
   report["quads"] = quads_part(result.quads);
-  report["properties"] = properties_part(result.remesh_properties);
+  report["properties"] = properties_part(result.dual_properties);
   if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
   report["seconds"] = seconds_part(start.seconds, cost);

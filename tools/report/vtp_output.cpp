@@ -63,7 +63,7 @@ void write_vtp(const std::filesystem::path& path, const Start& start, const Part
   append_own(properties.of_vertices, start.input.loaded.properties.of_vertices);
   append_own(properties.of_triangles, start.input.loaded.properties.of_triangles);
   FileWriter file(path);
-  write_mesh(file, mesh, properties);
+  write(file, mesh, properties);
   file.commit();
 }
 

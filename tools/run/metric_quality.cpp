@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/base/loops.h"
-#include "core/surface/cells.h"
-#include "core/surface/field_metric.h"
-#include "core/surface/site_places.h"
-#include "core/surface/site_relaxer.h"
-#include "core/surface/sizing.h"
-#include "core/surface/surface_input.h"
+#include "core/surface/cells/cells.h"
+#include "core/surface/result/site_places.h"
+#include "core/surface/sites/site_relaxer.h"
+#include "core/surface/sizing/field_metric.h"
+#include "core/surface/sizing/sizing.h"
+#include "core/surface/substrate/surface_input.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "tools/evaluation/closest_places.h"
 #include "tools/evaluation/point_queries.h"
@@ -24,7 +24,7 @@ namespace {
 double energy_ratio(const Mesh& mesh, const MeshEdges& edges, std::span<const Metric> shape,
                     std::span<const TangentSpace> field, std::span<const SurfacePoint> places,
                     Scheduler& scheduler) {
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = places.size();
   options.field.assign(field.begin(), field.end());
   options.sizing.growth = std::numeric_limits<double>::infinity();

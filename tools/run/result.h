@@ -6,9 +6,9 @@
 
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/quad_pairs.h"
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 #include "tools/evaluation/ground_truth.h"
-#include "tools/run/remesh.h"
+#include "tools/run/dual.h"
 #include "tools/run/resumable.h"
 
 namespace geolloyd {
@@ -19,9 +19,9 @@ struct Result {
   std::size_t threads = 0;  ///< of the relaxation
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
-  std::optional<GraphRemesh> remesh;
-  std::optional<QuadPairs> quads;  ///< of the remesh, if they were wanted
-  Properties remesh_properties;
+  std::optional<GraphDual> dual;
+  std::optional<QuadPairs> quads;  ///< of the dual, if they were wanted
+  Properties dual_properties;
   std::vector<RegionSummary> regions;
   bool interrupted = false;  ///< before the results were written: they may be less than otherwise
 };
@@ -30,7 +30,7 @@ struct Result {
 struct Cost {
   double relax_seconds = 0;
   double ground_truth_seconds = 0;
-  double remesh_seconds = 0;
+  double dual_seconds = 0;
   double write_seconds = 0;
   double total_seconds = 0;             ///< of everything
   std::uint64_t peak_memory_bytes = 0;  ///< until the results were written

@@ -13,7 +13,7 @@
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/mesh/properties.h"
-#include "core/remesh/region_surface.h"
+#include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
 #include "parallel/library/scheduler_runtime.h"
@@ -93,7 +93,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& inpu
   size.has_cross_field = arguments.has_cross_field();
   size.is_reference = purpose.engine == EngineKind::reference;
   size.has_ground_truth = purpose.has_ground_truth;
-  size.has_remesh = purpose.has_remesh;
+  size.has_dual = purpose.has_dual;
   size.property_bytes = bytes_of(input.loaded.properties);
   const SeedInit init =
       purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
@@ -146,7 +146,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
 
   progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
   const Stopwatch whole;
-  if (purpose.has_remesh && !has_triangles(kind)) {
+  if (purpose.has_dual && !has_triangles(kind)) {
     start.surface = {find_topology(loaded.input.mesh(), loaded.edges, scheduler),
                      irregular_edges(loaded.edges)};
   }

@@ -9,7 +9,7 @@
 
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
-#include "core/remesh/remesh.h"
+#include "core/regions/graph_dual.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/evaluation/ground_truth.h"
@@ -27,7 +27,7 @@ struct Purpose {
   bool has_ground_truth = false;            ///< of the result or of the remesh
   std::optional<PictureArguments> picture;  ///< empty: none is drawn
   SeedInit init = SeedInit::farthest;       ///< prepare() knows
-  bool has_remesh = false;                  ///< its dual is made
+  bool has_dual = false;                    ///< its dual is made
 };
 
 /// The tangent field that is asked for: none, that of a file, or the surface's own.

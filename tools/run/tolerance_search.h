@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/evaluation/vertex_search.h"
-#include "tools/run/surface_remesh.h"
+#include "tools/run/remesh.h"
 
 namespace geolloyd {
 

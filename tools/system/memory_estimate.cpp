@@ -97,8 +97,8 @@ Bytes surface_bytes(const RunSize& s) {
 
 // The regions spread over the surface, as they are and, while seeds are added, as they were and
 // will be; what joins their points. Where triangles are nodes, the edges again.
-Bytes making_remesh(const RunSize& s) {
-  if (!s.has_remesh) return 0;
+Bytes making_dual(const RunSize& s) {
+  if (!s.has_dual) return 0;
   const Bytes edges = s.has_triangle_nodes ? edge_bytes(s.edges, s.triangles) : 0;
   return edges + 3 * surface_bytes(s) + 30 * points(s);
 }
@@ -146,7 +146,7 @@ std::uint64_t memory_to_repair(std::uint64_t vertices, std::uint64_t triangles) 
 Bytes memory_to_run(const RunSize& s) {
   const Bytes relaxing = graph_bytes(s) + engine_bytes(s);
   Bytes most = std::max({moving_sites(s.fine_vertices), building_graph(s),
-                         graph_bytes(s) + choosing_seeds(s), relaxing + making_remesh(s)});
+                         graph_bytes(s) + choosing_seeds(s), relaxing + making_dual(s)});
   if (s.has_ground_truth) {
     most = std::max(most, relaxing + finding_ground_truth(s));
   }

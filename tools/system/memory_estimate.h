@@ -24,7 +24,7 @@ struct RunSize {
   bool is_reference = false;      ///< the engine
   bool has_coarse_graph = false;  ///< on which the first seeds come to rest
   bool has_ground_truth = false;  ///< for the result or for the remesh
-  bool has_remesh = false;        ///< its dual is made
+  bool has_dual = false;          ///< its dual is made
 };
 
 /// What a run of `remesh` works on; without a picture, `samples` is 0.

@@ -38,7 +38,7 @@ void ProgressLine::show(const Progress& progress, std::size_t seed_count) {
                     progress.energy, watch_.seconds()));
 }
 
-void ProgressLine::show(const SurfaceRemeshProgress& progress) {
+void ProgressLine::show(const RemeshProgress& progress) {
   if (!is_due()) return;
   print(fmt::format(
       "sites {:>6} of {}  iteration {:<3} energy {:.4f} of a hexagonal tiling  {:.0f} s",

@@ -23,7 +23,7 @@ class ProgressLine {
   /// What is being done, where no steps can be counted.
   void stage(const std::string& what);
   void show(const Progress& progress, std::size_t seed_count);
-  void show(const SurfaceRemeshProgress& progress);
+  void show(const RemeshProgress& progress);
   void clear();
 
  private:

@@ -94,7 +94,7 @@ std::string remesh_command_line(const std::filesystem::path& mesh, std::size_t v
   CommandLine line("remesh", mesh);
   line.add("--vertices", vertices);
   if (!field.empty()) line.add("--vfield", field.string());
-  line.add("--output", (output / surface_remesh_name).string());
+  line.add("--output", (output / remesh_name).string());
   return line.text();
 }
 

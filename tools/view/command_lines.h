@@ -18,13 +18,13 @@ inline constexpr const char* first_seeds_name = "first-seeds.csv";
 std::string relax_command_line(const SteppedTessellation& tessellation,
                                const std::filesystem::path& output);
 
-/// `remesh`, into surface-remesh.ply.
+/// `remesh`, into remesh.ply.
 std::string remesh_command_line(const std::filesystem::path& mesh, std::size_t vertices,
                                 const std::filesystem::path& field,
                                 const std::filesystem::path& output);
 
 /// File of a surface remesh in the output folder.
-inline constexpr const char* surface_remesh_name = "surface-remesh.ply";
+inline constexpr const char* remesh_name = "remesh.ply";
 
 /// A word that a shell takes as it is.
 std::string quoted(const std::string& word);

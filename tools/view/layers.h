@@ -5,7 +5,7 @@
 
 #include "core/graph/mesh_graph.h"
 #include "core/mesh/mesh.h"
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 #include "core/voronoi/partition.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/render/surface_colours.h"

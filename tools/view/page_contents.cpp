@@ -81,23 +81,23 @@ Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const
   add_trees(bundle, start.mesh_graph, relaxation.partition);
   add_field_of(arguments.start.graph, start.input.mesh(), bundle, scheduler);
   if (result.ground_truth) add_truth(bundle, start.mesh_graph, *result.ground_truth);
-  if (result.remesh) add_remesh(bundle, result.remesh->mesh);
+  if (result.dual) add_remesh(bundle, result.dual->mesh);
   add_frames(arguments, start, relaxation, course, bundle, scheduler);
   add_fact(bundle, "graph", name_of(graph_kind_names, start.mesh_graph.kind));
   add_fact(bundle, "regions", grouped(relaxation.seeds.size()));
   add_fact(bundle, "steps", grouped(relaxation.steps.size()));
   add_fact(bundle, "energy", fmt::format("{:.8g}", relaxation.energy));
   add_fact(bundle, "fingerprint", fingerprint_text(relaxation.fingerprint));
-  if (result.remesh) {
-    add_fact(bundle, "remesh", counted(result.remesh->mesh.vertex_count(), "vertex", "vertices"));
+  if (result.dual) {
+    add_fact(bundle, "dual", counted(result.dual->mesh.vertex_count(), "vertex", "vertices"));
   }
   return bundle;
 }
 
-Bundle remesh_contents(const SurfaceRemeshArguments& arguments, const RemeshedInput& done,
+Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
                        Scheduler& scheduler) {
   const Input& input = done.loaded.input;
-  const SurfaceRemesh& remesh = done.result.made.remesh;
+  const Remesh& remesh = done.result.made.remesh;
   Bundle bundle = bundle_of(input);
   add_field_of(arguments.field, input.mesh(), bundle, scheduler);
   add_remesh(bundle, remesh.mesh);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "parallel/threads/scheduler.h"
+#include "tools/run/remesh_run.h"
 #include "tools/run/result.h"
 #include "tools/run/stages.h"
-#include "tools/run/surface_remesh_run.h"
 #include "tools/view/bundle.h"
 
 namespace geolloyd {
@@ -26,7 +26,7 @@ Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const
                       std::span<const std::vector<NodeId>> course, Scheduler& scheduler);
 
 /// The mesh before and after `remesh`.
-Bundle remesh_contents(const SurfaceRemeshArguments& arguments, const RemeshedInput& done,
+Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
                        Scheduler& scheduler);
 
 }  // namespace geolloyd

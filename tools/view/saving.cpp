@@ -10,8 +10,8 @@
 #include "tools/files/output_folder.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/report.h"
-#include "tools/run/carrying.h"
-#include "tools/run/remesh.h"
+#include "tools/run/attribute_transfer.h"
+#include "tools/run/dual.h"
 #include "tools/run/result.h"
 #include "tools/system/machine.h"
 #include "tools/view/command_lines.h"
@@ -26,8 +26,8 @@ namespace {
 constexpr const char* picture_name = "picture.png";
 constexpr const char* page_name = "page.html";
 constexpr std::array<const char*, 9> saved_names = {
-    page_name,     "tessellation.ply", "seeds.csv",      "regions.csv",      "remesh.ply",
-    "report.json", picture_name,       first_seeds_name, surface_remesh_name};
+    page_name,     "tessellation.ply", "seeds.csv",      "regions.csv", "dual.ply",
+    "report.json", picture_name,       first_seeds_name, remesh_name};
 
 // Those of the command line that gives this result.
 RelaxArguments arguments_of(const std::filesystem::path& folder, const SteppedTessellation& t) {
@@ -48,14 +48,14 @@ RelaxArguments arguments_of(const std::filesystem::path& folder, const SteppedTe
   return arguments;
 }
 
-GraphRemesh dual_of(SteppedTessellation& t, const std::vector<NodeId>& seeds,
-                    const Partition& partition, Scheduler& scheduler) {
+GraphDual dual_of(SteppedTessellation& t, const std::vector<NodeId>& seeds,
+                  const Partition& partition, Scheduler& scheduler) {
   const Start& start = t.start();
   const InputSurface* const surface =
       has_triangles(start.mesh_graph.kind) ? nullptr : &*start.surface;
-  GraphRemesh dual = make_remesh(
+  GraphDual dual = make_graph_dual(
       {start.input.mesh(), start.mesh_graph, seeds, partition, t.engine(), scheduler, surface},
-      RemeshRequest{}, scheduler);
+      DualRequest{}, scheduler);
   t.restore_partition();
   return dual;
 }
@@ -66,13 +66,13 @@ void write_first_seeds(const std::filesystem::path& path, const Start& start) {
   file.commit();
 }
 
-void write_surface_remesh(const std::filesystem::path& path, const Start& start,
-                          const SurfaceRemesh& remesh, Scheduler& scheduler) {
+void write_remesh(const std::filesystem::path& path, const Start& start, const Remesh& remesh,
+                  Scheduler& scheduler) {
   Properties properties =
-      carry_properties(start.input.mesh(), start.input.loaded.properties, remesh, scheduler);
+      transfer_properties(start.input.mesh(), start.input.loaded.properties, remesh, scheduler);
   keep_writable(path, properties);
   FileWriter file(path);
-  write_mesh(file, remesh.mesh, properties);
+  write(file, remesh.mesh, properties);
   file.commit();
 }
 
@@ -85,9 +85,9 @@ std::string save_result(const std::filesystem::path& folder, SteppedTessellation
   result.relaxation = t.result();
   result.threads = scheduler.threads();
   const Relaxation& relaxation = result.relaxation;
-  result.remesh = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
-  result.remesh_properties = carry_properties(start.input.mesh(), start.input.loaded.properties,
-                                              start.mesh_graph, *result.remesh, scheduler);
+  result.dual = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
+  result.dual_properties = transfer_properties(start.input.mesh(), start.input.loaded.properties,
+                                               start.mesh_graph, *result.dual, scheduler);
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
   Cost cost;
@@ -112,7 +112,7 @@ std::string save_page(const std::filesystem::path& folder, SteppedTessellation& 
   const Relaxation& relaxation = result.relaxation;
   const bool has_remesh = remesh && remesh->made;
   if (!has_remesh) {
-    result.remesh = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
+    result.dual = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
   }
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
@@ -128,7 +128,7 @@ void prepare_saving(const std::filesystem::path& folder,
   if (!folder.empty()) prepare_folder(folder, saved_names, inputs);
 }
 
-GraphRemesh dual_of(SteppedTessellation& t, Scheduler& scheduler) {
+GraphDual dual_of(SteppedTessellation& t, Scheduler& scheduler) {
   const Partition partition = t.partition();
   return dual_of(t, t.seeds(), partition, scheduler);
 }
@@ -144,9 +144,8 @@ std::string save_into(const std::filesystem::path& folder, Saving what,
   if (what == Saving::page) return save_page(folder, tessellation, remesh, scheduler);
   std::string names = save_result(folder, tessellation, scheduler);
   if (remesh && remesh->made) {
-    write_surface_remesh(folder / surface_remesh_name, tessellation.start(), *remesh->made,
-                         scheduler);
-    names += std::string(" ") + surface_remesh_name;
+    write_remesh(folder / remesh_name, tessellation.start(), *remesh->made, scheduler);
+    names += std::string(" ") + remesh_name;
   }
   return names;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/remesh/remesh.h"
+#include "core/regions/graph_dual.h"
 #include "tools/view/session_command.h"
 #include "tools/view/stepped_tessellation.h"
 
@@ -19,7 +19,7 @@ void prepare_saving(const std::filesystem::path& folder,
                     std::span<const std::filesystem::path> inputs);
 
 /// The dual of the seeds as they are.
-GraphRemesh dual_of(SteppedTessellation& tessellation, Scheduler& scheduler);
+GraphDual dual_of(SteppedTessellation& tessellation, Scheduler& scheduler);
 
 /// Writes the files of `relax`, first-seeds.csv and, if there is one, the surface remesh; or
 /// picture.png; or page.html. Returns what was written, for people. Throws Error.

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
-#include "core/remesh/tessellation.h"
-#include "core/surface/surface_input.h"
-#include "core/surface/surface_remesh.h"
+#include "core/regions/tessellation.h"
+#include "core/surface/result/remesh.h"
+#include "core/surface/substrate/surface_input.h"
 #include "geolloyd/errors.h"
 #include "tools/report/report_parts.h"
+#include "tools/run/dual.h"
 #include "tools/run/remesh.h"
-#include "tools/run/surface_remesh.h"
 #include "tools/system/memory_limit.h"
 #include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
@@ -93,7 +93,7 @@ void SessionModel::perform(const SessionCommand& command, const std::function<bo
       make_dual();
       return;
     case Action::remesh:
-      make_surface_remesh(command.vertices, keep_going);
+      make_remesh(command.vertices, keep_going);
       return;
     case Action::save:
       save(command.what);
@@ -155,14 +155,13 @@ std::filesystem::path SessionModel::remesh_field() const {
   return graph.has_cross_field() ? std::filesystem::path() : graph.vfield;
 }
 
-void SessionModel::make_surface_remesh(std::size_t vertices,
-                                       const std::function<bool()>& keep_going) {
+void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>& keep_going) {
   const Input& input = tessellation_.start().input;
   if (!(input.facts.area > 0)) throw InvalidInput("remesh: no triangle has an area");
   SessionRemesh next;
   next.vertices = vertices;
   next.field = remesh_field();
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.vertex_count = vertices;
   if (!next.field.empty()) options.field = tessellation_.field();
   require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
@@ -175,13 +174,13 @@ void SessionModel::make_surface_remesh(std::size_t vertices,
                    [&](const Vec3& p) { return frame.to_mesh(p); });
   };
   std::optional<SessionRemesh> before = std::exchange(remesh_, std::move(next));
-  options.progress = [&](const SurfaceRemeshProgress& progress) {
+  options.progress = [&](const RemeshProgress& progress) {
     remesh_->progress = progress;
     touch("sites");
     return keep_going();
   };
   try {
-    remesh_->made = geolloyd::make_surface_remesh(
+    remesh_->made = geolloyd::make_remesh(
         input.mesh(), tessellation_.edges(), options,
         watched(make_surface_engines(EngineKind::parallel, scheduler_), keep_sites), scheduler_);
   } catch (...) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/remesh/remesh.h"
+#include "core/regions/graph_dual.h"
 #include "geolloyd/remesh.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/files/json.h"
@@ -25,9 +25,9 @@ namespace geolloyd {
 struct SessionRemesh {
   std::size_t vertices = 0;  ///< asked for
   std::filesystem::path field;
-  SurfaceRemeshProgress progress;
-  std::vector<Vec3> sites;            ///< mesh units, while they move
-  std::optional<SurfaceRemesh> made;  ///< once it is there
+  RemeshProgress progress;
+  std::vector<Vec3> sites;     ///< mesh units, while they move
+  std::optional<Remesh> made;  ///< once it is there
 };
 
 /// All that a session is about, and what commands do to it, one after the other. What throws Error
@@ -63,7 +63,7 @@ class SessionModel {
  private:
   void make_truth();
   void make_dual();
-  void make_surface_remesh(std::size_t vertices, const std::function<bool()>& keep_going);
+  void make_remesh(std::size_t vertices, const std::function<bool()>& keep_going);
   void save(Saving what);
   void seeds_changed();
   const std::vector<Colour>& region_colours();
@@ -80,7 +80,7 @@ class SessionModel {
   Json mesh_facts_;
   std::vector<Colour> region_colours_;
   std::optional<GroundTruth> truth_;
-  std::optional<GraphRemesh> dual_;
+  std::optional<GraphDual> dual_;
   std::optional<SessionRemesh> remesh_;
   std::uint64_t revision_ = 0;
   std::map<std::string, std::uint64_t> layers_;  // those that are there, and when they changed

@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "core/surface/surface_engine.h"
+#include "core/surface/cells/surface_engine.h"
 
 namespace geolloyd {
 

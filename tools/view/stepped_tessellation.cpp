@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/mesh/mesh_topology.h"
-#include "core/remesh/region_surface.h"
+#include "core/regions/regions_of_nodes.h"
 #include "core/start/first_seeds.h"
 #include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
@@ -114,7 +114,7 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   const SeedArguments& seeds = options.seeds;
   Purpose purpose;
   purpose.init = seeds.init;
-  purpose.has_remesh = true;
+  purpose.has_dual = true;
   const std::uint64_t bytes =
       estimate_memory(options.graph, start_.input, edges_, seeds.count, purpose, scheduler_);
   require_memory(start_.input.file.string(), bytes);

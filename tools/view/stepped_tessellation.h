@@ -7,7 +7,7 @@
 
 #include "core/graph/components.h"
 #include "core/lloyd/relaxation.h"
-#include "core/remesh/tessellation.h"
+#include "core/regions/tessellation.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/run/stages.h"
 #include "tools/view/session_options.h"

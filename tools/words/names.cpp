@@ -93,13 +93,13 @@ const std::vector<Named<RelaxOutput>> relax_output_names = {
     {"tessellation", RelaxOutput::tessellation},
     {"seeds", RelaxOutput::seeds},
     {"regions", RelaxOutput::regions},
-    {"remesh", RelaxOutput::remesh},
+    {"dual", RelaxOutput::dual},
     {"report", RelaxOutput::report},
 };
 
-const std::vector<Named<RemeshVertices>> remesh_vertices_names = {
-    {"seeds", RemeshVertices::seeds},
-    {"centroids", RemeshVertices::centroids},
+const std::vector<Named<DualVertices>> dual_vertices_names = {
+    {"seeds", DualVertices::seeds},
+    {"centroids", DualVertices::centroids},
 };
 
 const std::vector<Named<double KernelSeconds::*>> kernel_names = {

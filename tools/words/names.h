@@ -42,14 +42,14 @@ enum class EngineKind { parallel, reference };
 extern const std::vector<Named<EngineKind>> engine_names;
 
 /// The files of a result of `relax`, in the order in which they appear.
-enum class RelaxOutput { tessellation, seeds, regions, remesh, report };
+enum class RelaxOutput { tessellation, seeds, regions, dual, report };
 extern const std::vector<Named<RelaxOutput>> relax_output_names;
 
-/// Where the vertices of a remesh are that are not on the boundary.
-enum class RemeshVertices {
+/// Where the vertices of a dual are that are not on the boundary.
+enum class DualVertices {
   seeds,
   centroids  ///< the surface's points closest to the centroids of the ground truth
 };
-extern const std::vector<Named<RemeshVertices>> remesh_vertices_names;
+extern const std::vector<Named<DualVertices>> dual_vertices_names;
 
 }  // namespace geolloyd

@@ -28,7 +28,7 @@ struct Mesh {
 };
 
 /// Throws InvalidInput where a mesh made by hand breaks one of these rules, or has no triangle. The
-/// message names the vertex or triangle. All functions that take a mesh call this; write_mesh and
+/// message names the vertex or triangle. All functions that take a mesh call this; write and
 /// the functions of measure.h accept a mesh without triangles, too.
 void validate(const Mesh& mesh);
 
@@ -59,7 +59,7 @@ struct ReadOptions {
 /// coordinates and normals where a vertex has the same in all faces, and its groups and materials
 /// (numbered in order of appearance), and COFF's colours and normals. A malformed property is
 /// refused in the same way if properties are asked for; else nobody looks at it.
-LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+LoadedMesh read(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes PLY (binary little endian), OBJ, OFF or STL (binary), told by the extension; packed where
 /// ".gz" or ".zst" stands behind it. The file appears whole or not at all. No coordinate loses a
@@ -67,7 +67,6 @@ LoadedMesh read_mesh(const std::filesystem::path& path, const ReadOptions& optio
 /// and OFF colours, normals and texture coordinates of vertices, OFF also colours of triangles, STL
 /// none; the others are left out. Throws IoError where the file cannot be written, InvalidInput
 /// where the mesh is not valid, or where properties do not fit it.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
-                const Properties& properties = {});
+void write(const std::filesystem::path& path, const Mesh& mesh, const Properties& properties = {});
 
 }  // namespace geolloyd

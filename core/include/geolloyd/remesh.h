@@ -6,40 +6,12 @@
 #include <functional>
 #include <vector>
 
+#include "geolloyd/choices.h"
 #include "geolloyd/measure.h"
 #include "geolloyd/mesh.h"
 #include "geolloyd/runtime.h"
-#include "geolloyd/tessellate.h"
 
 namespace geolloyd {
-
-struct RemeshOptions {
-  bool manifold = true;              ///< add seeds until the remesh has the topology of the mesh
-  std::function<bool()> keep_going;  ///< asked now and then; false ends the adding of seeds
-};
-
-/// The dual of a tessellation. Vertex r is the seed of region r, or at a boundary a point of the
-/// boundary near it. Added seeds come last. A triangle stands for each corner where three regions
-/// meet, oriented as the mesh is there.
-struct Remesh {
-  Mesh mesh;                    ///< may have no triangles, as with one region
-  std::vector<InputId> seeds;   ///< per vertex
-  std::size_t seeds_added = 0;  ///< where regions did not meet as they should
-  bool interrupted = false;     ///< keep_going ended the adding of seeds
-  bool is_manifold = false;
-  bool has_input_topology = false;  ///< components, Euler characteristics, boundary loops
-  bool is_input_manifold = false;
-  std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
-  std::size_t flipped = 0;          ///< triangles that face away from the surface
-  std::size_t flat = 0;             ///< triangles without area
-  std::size_t folds = 0;            ///< edges at which the remesh turns back on itself
-};
-
-/// `tessellation` is one of this `mesh`. Where the mesh is a manifold, the remesh is one of the
-/// same topology, if there are nodes enough for the seeds to add. Throws InvalidInput where mesh
-/// and tessellation do not belong together.
-Remesh remesh(const Mesh& mesh, const Tessellation& tessellation, const RemeshOptions& options = {},
-              Runtime& runtime = reference_runtime());
 
 /// A point of a mesh: on a triangle, with the weights of its corners (not negative; their sum is 1
 /// but for rounding).
@@ -50,7 +22,7 @@ struct SurfacePoint {
 
 /// Where a surface remesh stands. Sites come in levels, each with about four times as many as the
 /// one before.
-struct SurfaceRemeshProgress {
+struct RemeshProgress {
   std::size_t sites = 0;         ///< of this level
   std::size_t wanted_sites = 0;  ///< of the last level
   std::size_t iteration = 0;     ///< within the level
@@ -65,7 +37,7 @@ enum class Creases {
   none
 };
 
-/// What a remesh keeps as it is: chains of edges of the mesh become chains of edges of the remesh.
+/// What a remesh keeps as it is: curves of edges of the mesh become curves of edges of the remesh.
 /// The boundary always does.
 struct FeatureOptions {
   Creases creases = Creases::automatic;
@@ -87,7 +59,7 @@ struct SizingOptions {
 
 /// `vertex_count` or `edge_length` is given, or SizingOptions::edge_lengths alone; what is not
 /// given is 0.
-struct SurfaceRemeshOptions {
+struct RemeshOptions {
   std::size_t vertex_count = 0;  ///< at least 4
   double edge_length = 0;        ///< mean of the remesh's, mesh units; above 0
   SizingOptions sizing;
@@ -100,7 +72,7 @@ struct SurfaceRemeshOptions {
       true;  ///< move vertices off the surface in the end, where that brings the remesh closer
   /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
   /// made from where they are.
-  std::function<bool(const SurfaceRemeshProgress&)> progress;
+  std::function<bool(const RemeshProgress&)> progress;
 };
 
 /// One iteration of a surface remesh.
@@ -114,12 +86,13 @@ struct SurfaceStep {
 
 /// A remesh whose vertices stand for points of the surface of the mesh, anywhere, and are there
 /// unless they were fitted.
-struct SurfaceRemesh {
+struct Remesh {
   Mesh mesh;
   std::vector<SurfacePoint> places;  ///< per vertex: the point of the input it stands for
-  std::size_t chain_vertices = 0;    ///< the first vertices: on boundary and features
+  std::size_t curve_vertices = 0;    ///< the first vertices: on boundary and features
   std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
-  std::size_t pinholes = 0;  ///< loops too short for vertices of their own: a triangle is missing
+  std::size_t subresolution_holes =
+      0;  ///< loops too short for vertices of their own: a triangle is missing
   std::size_t vertices_asked_for = 0;  ///< or what the edge length makes of it
   bool interrupted = false;            ///< the progress callback ended the moving of sites
   std::vector<SurfaceStep> steps;
@@ -149,8 +122,8 @@ struct SurfaceRemesh {
 /// the surface itself (core/surface). `mesh` may have any flaws; where its edges have three and
 /// more triangles it is cut apart. The remesh has `vertex_count` vertices, or more where its
 /// topology needs them. Throws InvalidInput where the mesh is not valid or has no area.
-SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options,
-                             Runtime& runtime = reference_runtime());
+Remesh remesh(const Mesh& mesh, const RemeshOptions& options,
+              Runtime& runtime = reference_runtime());
 
 /// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
 /// vertices. Numbers are interpolated, so a linear function stays one; parts of colours are then

@@ -60,7 +60,7 @@ struct RepairedMesh {
 ///
 /// No step leaves more non-manifold edges or boundary loops than the mesh cut apart has. Throws
 /// InvalidInput where the mesh is not valid or an option makes no sense.
-RepairedMesh repair_mesh(const Mesh& mesh, const RepairOptions& options = {},
-                         Runtime& runtime = reference_runtime());
+RepairedMesh repair(const Mesh& mesh, const RepairOptions& options = {},
+                    Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd

@@ -2,10 +2,10 @@
 
 /// Geodesic centroidal Voronoi tessellations of triangle meshes, and remeshes from them.
 ///
-///   const geolloyd::Mesh mesh = geolloyd::read_mesh("scan.ply").mesh;
+///   const geolloyd::Mesh mesh = geolloyd::read("scan.ply").mesh;
 ///   geolloyd::Threads threads;
-///   const auto tessellation = geolloyd::tessellate(mesh, {.seed_count = 2048}, threads);
-///   geolloyd::write_mesh("remesh.ply", geolloyd::remesh(mesh, tessellation, {}, threads).mesh);
+///   const auto tessellation = geolloyd::relax(mesh, {.seed_count = 2048}, threads);
+///   geolloyd::write("remesh.ply", geolloyd::remesh(mesh, tessellation, {}, threads).mesh);
 ///
 /// Results speak the ids of the input (types.h). They are the same to the bit on every machine and
 /// any number of threads. What a user can put right is thrown as geolloyd::Error, with one line
@@ -19,11 +19,11 @@
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
 #include "geolloyd/fields.h"      // curvature_field, cross_field
 #include "geolloyd/measure.h"     // quality and topology of a mesh
-#include "geolloyd/mesh.h"        // Mesh, read_mesh, write_mesh
+#include "geolloyd/mesh.h"        // Mesh, read, write
 #include "geolloyd/properties.h"  // Properties: colours, normals, labels
+#include "geolloyd/relax.h"       // relax, voronoi, distances
 #include "geolloyd/remesh.h"      // remesh
 #include "geolloyd/runtime.h"     // Runtime: who computes
 #include "geolloyd/shapes.h"      // generated meshes
-#include "geolloyd/tessellate.h"  // tessellate, voronoi, distances
 #include "geolloyd/threads.h"     // Threads
 #include "geolloyd/types.h"       // ids, Vec3

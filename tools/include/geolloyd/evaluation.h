@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "geolloyd/mesh.h"
+#include "geolloyd/relax.h"
 #include "geolloyd/remesh.h"
 #include "geolloyd/runtime.h"
-#include "geolloyd/tessellate.h"
 
 namespace geolloyd {
 
@@ -64,15 +64,15 @@ struct ToleranceTrial {
 
 /// A remesh with about the fewest vertices that is near enough, and what was tried.
 struct ToleranceRemesh {
-  SurfaceRemesh remesh;
+  Remesh remesh;
   std::vector<ToleranceTrial> trials;
 };
 
-/// As remesh_surface(), with as few vertices as keep the largest distance within `tolerance`, mesh
+/// As remesh(), with as few vertices as keep the largest distance within `tolerance`, mesh
 /// units: one with a twentieth fewer was tried and is too far. `options` name no vertex count and
 /// no edge length. Where the progress callback ends the work, the best one so far, or the last
 /// one. Throws InvalidInput also where many vertices are not enough.
-ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, SurfaceRemeshOptions options,
+ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,
                               Runtime& runtime = reference_runtime());
 
 }  // namespace geolloyd

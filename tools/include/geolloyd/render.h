@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "geolloyd/mesh.h"
+#include "geolloyd/relax.h"
 #include "geolloyd/runtime.h"
-#include "geolloyd/tessellate.h"
 
 namespace geolloyd {
 

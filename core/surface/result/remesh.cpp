@@ -1,0 +1,319 @@
+#include "core/surface/result/remesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/random.h"
+#include "core/mesh/mesh_measure.h"
+#include "core/mesh/mesh_topology.h"
+#include "core/surface/features/creases.h"
+#include "core/surface/features/patches.h"
+#include "core/surface/result/edge_flips.h"
+#include "core/surface/result/site_places.h"
+#include "core/surface/result/subresolution_holes.h"
+#include "core/surface/result/surface_fit.h"
+#include "core/surface/result/surface_repair.h"
+#include "core/surface/sites/site_budget.h"
+#include "core/surface/sites/site_levels.h"
+#include "core/surface/sites/site_relaxer.h"
+#include "core/surface/sizing/curvature.h"
+#include "core/surface/sizing/field_metric.h"
+#include "core/surface/sizing/sizing.h"
+#include "core/surface/substrate/surface_input.h"
+#include "geolloyd/errors.h"
+
+namespace geolloyd {
+namespace {
+
+std::vector<PartTopology> parts_of(const SurfaceInput& input, const FeatureCurves& curves) {
+  std::vector<PartTopology> parts;
+  for (const std::int64_t characteristic : euler_characteristics(input)) {
+    parts.push_back({characteristic, 0});
+  }
+  for (const VertexId v : curves.loops) ++parts[input.part[v]].boundary_loops;
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+// Of edges on curves: those that are no boundary of the remesh.
+std::vector<std::array<VertexId, 2>> edges_along_features(
+    const Mesh& remesh, const std::vector<std::array<VertexId, 2>>& on_curves) {
+  const MeshEdges edges = find_edges(remesh);
+  std::vector<std::array<VertexId, 2>> found;
+  for (const auto& edge : on_curves) {
+    const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), edge);
+    if (at == edges.ends.end() || *at != edge) continue;
+    if (edges.corners(static_cast<std::size_t>(at - edges.ends.begin())).size() == 2) {
+      found.push_back(edge);
+    }
+  }
+  return found;
+}
+
+struct SizedSurface {
+  SurfaceInput input;
+  Sizing sizing;
+  std::vector<Metric> shape;  // per vertex of the mesh; empty: cells are round
+};
+
+class Remesher {
+ public:
+  Remesher(const Mesh& mesh, const SizedSurface& surface, const RemeshOptions& options,
+           const MakeSurfaceEngine& make_engine, Executor& executor)
+      : mesh_(mesh),
+        input_(surface.input),
+        sizing_(surface.sizing),
+        shape_(surface.shape),
+        options_(options),
+        relaxer_(make_engine, options, input_.fine.whole_sized_area, 1 / input_.frame.scale,
+                 executor),
+        executor_(executor) {}
+
+  // Where there is no room for all sub-resolution holes among triangles of an ordinary size, they
+  // get vertices.
+  Remesh run() {
+    const bool has_count = options_.vertex_count > 0;
+    const double spacing = has_count ? spacing_of(input_.fine.whole_sized_area,
+                                                  static_cast<double>(options_.vertex_count))
+                                     : sizing_.spacing * input_.frame.scale;
+    for (const bool may_have_subresolution_holes : {true, false}) {
+      surface_.emplace(input_, spacing, may_have_subresolution_holes, executor_);
+      const SiteBudgeter budgeter(*surface_);
+      count_ = has_count ? options_.vertex_count : budgeter.at_spacing(spacing).total();
+      spacing_ = has_count ? budgeter.of_size(count_).spacing : spacing;
+      RestingSites resting = rest_sites(*surface_, count_, relaxer_, {}, executor_);
+      dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
+      if (open_subresolution_holes(*surface_, dualised_.state.sites, dualised_.dual.triangles))
+        break;
+    }
+    return remesh();
+  }
+
+ private:
+  Remesh remesh() {
+    relaxer_.release_engine();
+    const SurfaceSites& sites = dualised_.state.sites;
+    Remesh result;
+    result.vertices_asked_for = count_;
+    result.curve_vertices = sites.on_curves;
+    result.subresolution_holes = surface_->curves.subresolution_holes.size();
+    result.interrupted = relaxer_.is_interrupted();
+    result.steps = relaxer_.steps();
+    result.places = place_sites(mesh_, input_, sites.positions, dualised_.state.labels, executor_);
+    place_corners(mesh_, input_, surface_->curves.corners, result.places);
+    for (const SurfacePoint& place : result.places) {
+      result.mesh.positions.push_back(position_of(mesh_, place));
+    }
+    result.mesh.triangles = std::move(dualised_.dual.triangles);
+    result.topology = find_topology(result.mesh, find_edges(result.mesh));
+    const auto on_curves = edges_on_curves();
+    const std::vector<Metric> shape = shapes_at(mesh_, shape_, result.places);
+    if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_curves, shape);
+    result.feature_edges = edges_along_features(result.mesh, on_curves);
+    measure_energy(result);
+    find_edge_lengths(result);
+    if (options_.fit && result.is_manifold()) {
+      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_curves,
+                                              shape, result.mesh, executor_)
+                                   .moved;
+    }
+    result.surface_parts = parts_of(input_, surface_->curves);
+    result.vertices_cut = input_.vertices_cut;
+    result.violations_left = dualised_.dual.violations.size();
+    result.fingerprint = fingerprint_with(result.mesh);
+    return result;
+  }
+
+  [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {
+    std::vector<RegionId> label;
+    for (const VertexId v : surface_->curves.vertices) label.push_back(dualised_.state.labels[v]);
+    return neighbours_on_curves(surface_->curves, label);
+  }
+
+  void measure_energy(Remesh& result) const {
+    const CellEnergies energies(input_.fine, dualised_.cells);
+    double energy = 0;
+    for (std::size_t r = 0; r < result.mesh.vertex_count(); ++r) {
+      energy += energies.at(r, input_.frame.to_unit(result.mesh.positions[r]));
+    }
+    const double square = 1 / (input_.frame.scale * input_.frame.scale);
+    result.energy = energy * square * square;
+    result.energy_of_hexagonal_tiling = energy_of_hexagonal_tiling(
+        input_.fine.whole_sized_area * square, result.mesh.vertex_count());
+  }
+
+  void find_edge_lengths(Remesh& result) const {
+    if (sizing_.sizes.empty()) return;
+    result.edge_lengths.reserve(result.places.size());
+    for (const SurfacePoint& place : result.places) {
+      double size = place.triangle == no_id ? 1 : 0;
+      for (std::size_t c = 0; c < 3 && place.triangle != no_id; ++c) {
+        size += place.weights[c] * sizing_.sizes[mesh_.triangles[place.triangle][c]];
+      }
+      result.edge_lengths.push_back(size * spacing_ / input_.frame.scale);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t fingerprint_with(const Mesh& remesh) const {
+    std::uint64_t fingerprint = relaxer_.fingerprint();
+    for (const Vec3& p : remesh.positions) {
+      for (const double x : p)
+        fingerprint = mix_bits(fingerprint ^ std::bit_cast<std::uint64_t>(x));
+    }
+    for (const Triangle& t : remesh.triangles) {
+      for (const VertexId v : t) fingerprint = mix_bits(fingerprint ^ v);
+    }
+    return fingerprint;
+  }
+
+  const Mesh& mesh_;
+  const SurfaceInput& input_;
+  const Sizing& sizing_;
+  std::span<const Metric> shape_;
+  const RemeshOptions& options_;
+  SiteRelaxer relaxer_;
+  Executor& executor_;
+  std::optional<DividedSurface> surface_;
+  std::size_t count_ = 0;
+  double spacing_ = 0;  // unit frame
+  DualisedSites dualised_;
+};
+
+// Makes the surface on which sites move, and finds out how far apart they are to be.
+class SurfaceSizer {
+ public:
+  /// `release_edges` is called when only the duplicates are needed any more.
+  SurfaceSizer(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
+               const std::function<void()>& release_edges, Executor& executor)
+      : mesh_(mesh),
+        edges_(edges),
+        options_(options),
+        release_edges_(release_edges),
+        executor_(executor) {
+    for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area_ += a;
+    if (!(area_ > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
+  }
+
+  SizedSurface run() {
+    shape_ = shapes_of(options_.field);
+    Sizing sizing = find_sizing(mesh_, edges_, options_, executor_);
+    const std::size_t count = about_how_many(sizing.spacing);
+    features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
+    if (!(options_.sizing.adapt > 0)) release_edges_();
+    SurfaceInput input = make_input(sizing, count);
+    if (options_.sizing.adapt > 0) {
+      const double spacing = sizing.spacing * input.frame.scale;
+      const std::vector<double> lengths = lengths_of_curvatures(
+          relative_curvatures(mesh_, input, spacing, executor_), options_.sizing.adapt);
+      input = {};
+      sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
+      release_edges_();
+      input = make_input(sizing, about_how_many(sizing.spacing));
+    }
+    return {std::move(input), std::move(sizing), std::move(shape_)};
+  }
+
+ private:
+  // But for what boundary and features change.
+  [[nodiscard]] std::size_t about_how_many(double spacing) const {
+    if (options_.vertex_count > 0) return options_.vertex_count;
+    constexpr double most = 1e9;
+    const double count = sites_at(area_, spacing);
+    if (!(count < most)) {
+      throw InvalidInput("edge length " + std::to_string(spacing) +
+                         ": so short that the remesh would have more than 1,000,000,000 vertices");
+    }
+    return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+  }
+
+  // Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
+  // features 0.42 spacings, so that cells follow them. The limit of vertices is for needles.
+  [[nodiscard]] SurfaceInput make_input(const Sizing& sizing, std::size_t count) const {
+    const auto sites = static_cast<double>(count);
+    SurfaceInputOptions input;
+    input.duplicates = edges_.duplicates;
+    input.longest_edge =
+        features_.empty() ? 0.6 * std::sqrt(area_ / sites) : 0.42 * spacing_of(area_, sites);
+    input.sizes = sizing.sizes;
+    input.metric = shape_;
+    input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh_.vertex_count();
+    input.features = features_;
+    input.fixed_vertices = options_.features.fixed_vertices;
+    return make_surface_input(mesh_, input, executor_);
+  }
+
+  const Mesh& mesh_;
+  const MeshEdges& edges_;
+  const RemeshOptions& options_;
+  const std::function<void()>& release_edges_;
+  Executor& executor_;
+  double area_ = 0;
+  std::vector<TrianglePair> features_;
+  std::vector<Metric> shape_;
+};
+
+void check_options(const Mesh& mesh, const RemeshOptions& options) {
+  const auto fail = [](const std::string& message) { throw InvalidInput(message); };
+  if (options.edge_length != 0 && options.vertex_count != 0) {
+    fail("vertex_count and edge_length: a remesh has one of them");
+  }
+  if (options.edge_length != 0 && !(options.edge_length > 0)) {
+    fail("edge_length: " + std::to_string(options.edge_length) + ": a length is above 0");
+  }
+  const bool has_lengths = options.edge_length != 0 || !options.sizing.edge_lengths.empty();
+  if (options.vertex_count < 4 && !(has_lengths && options.vertex_count == 0)) {
+    fail("vertex_count: " + std::to_string(options.vertex_count) +
+         ": a remesh has at least 4 vertices");
+  }
+  if (!options.field.empty() && options.field.size() != mesh.vertex_count()) {
+    fail("field: " + std::to_string(options.field.size()) + " tangent spaces for " +
+         std::to_string(mesh.vertex_count()) + " vertices");
+  }
+  for (const VertexId v : options.features.fixed_vertices) {
+    if (v < mesh.vertex_count()) continue;
+    fail("fixed vertex " + std::to_string(v) + ": the mesh has no such vertex");
+  }
+}
+
+Remesh remesh_with(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
+                   const std::function<void()>& release_edges, const MakeSurfaceEngine& make_engine,
+                   Executor& executor) {
+  check_options(mesh, options);
+  const SizedSurface surface = SurfaceSizer(mesh, edges, options, release_edges, executor).run();
+  return Remesher(mesh, surface, options, make_engine, executor).run();
+}
+
+}  // namespace
+
+double Remesh::feature_length() const {
+  double length = 0;
+  for (const auto& [a, b] : feature_edges) length += norm(mesh.positions[a] - mesh.positions[b]);
+  return length;
+}
+
+bool Remesh::is_manifold() const {
+  return !mesh.triangles.empty() && topology.is_manifold();
+}
+
+bool Remesh::has_input_topology() const {
+  return is_manifold() && topology.parts == surface_parts;
+}
+
+Remesh make_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
+                   const MakeSurfaceEngine& make_engine, Executor& executor) {
+  return remesh_with(
+      mesh, edges, options, [] {}, make_engine, executor);
+}
+
+Remesh make_remesh(const Mesh& mesh, MeshEdges&& edges, const RemeshOptions& options,
+                   const MakeSurfaceEngine& make_engine, Executor& executor) {
+  const auto release = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+  return remesh_with(mesh, edges, options, release, make_engine, executor);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,109 @@
+#include "core/surface/result/site_places.h"
+
+#include <limits>
+
+#include "core/base/bucketing.h"
+#include "core/mesh/closest_on_triangle.h"
+
+namespace geolloyd {
+namespace {
+
+// The point of a triangle that is closest to `p`.
+std::array<double, 3> closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto [v, w] = weights_closest_to_origin({a - p, b - p, c - p});
+  const double u = 1 - v - w;
+  return {u > 0 ? u : 0, v, w};
+}
+
+class SitePlacer {
+ public:
+  SitePlacer(const Mesh& mesh, const SurfaceInput& input) : mesh_(mesh), input_(input) {}
+
+  [[nodiscard]] SurfacePoint find(const Vec3& site, std::span<const VertexId> cell) const {
+    VertexId nearest = no_id;
+    double least = std::numeric_limits<double>::infinity();
+    for (const VertexId v : cell) {
+      const Vec3 away = input_.fine.positions[v] - site;
+      if (dot(away, away) < least) {
+        least = dot(away, away);
+        nearest = v;
+      }
+    }
+    if (nearest == no_id) return {};
+    return closest_about(nearest, site);
+  }
+
+ private:
+  // On the triangles at a vertex and at its neighbours.
+  [[nodiscard]] SurfacePoint closest_about(VertexId centre, const Vec3& site) const {
+    Closest best{std::numeric_limits<double>::infinity(), no_id, site};
+    offer_triangles_at(centre, site, best);
+    for (const VertexId v : input_.fine.neighbours(centre)) offer_triangles_at(v, site, best);
+    const TriangleId origin = input_.origin[best.triangle];
+    const auto& [a, b, c] = mesh_.triangles[origin];
+    return {origin, closest_weights(input_.frame.to_mesh(best.point), mesh_.positions[a],
+                                    mesh_.positions[b], mesh_.positions[c])};
+  }
+
+  struct Closest {
+    double square;
+    TriangleId triangle;
+    Vec3 point;
+  };
+
+  void offer_triangles_at(VertexId v, const Vec3& site, Closest& best) const {
+    for (const TriangleId t : input_.fine.triangles_at(v)) {
+      const auto& [ia, ib, ic] = input_.fine.triangles[t];
+      const Vec3& a = input_.fine.positions[ia];
+      const Vec3& b = input_.fine.positions[ib];
+      const Vec3& c = input_.fine.positions[ic];
+      const auto [x, y, z] = closest_weights(site, a, b, c);
+      const Vec3 point = x * a + y * b + z * c;
+      const Vec3 away = point - site;
+      const double square = dot(away, away);
+      if (square < best.square || (square == best.square && t < best.triangle)) {
+        best = {square, t, point};
+      }
+    }
+  }
+
+  const Mesh& mesh_;
+  const SurfaceInput& input_;
+};
+
+}  // namespace
+
+std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& input,
+                                      const std::vector<Vec3>& sites,
+                                      const std::vector<RegionId>& labels, Executor& executor) {
+  const auto cells =
+      bucket_sort<VertexId>(executor, sites.size(), labels.size(), [&](std::size_t v, auto&& put) {
+        if (labels[v] != no_id) put(labels[v], static_cast<VertexId>(v));
+      });
+  const SitePlacer placer(mesh, input);
+  std::vector<SurfacePoint> places(sites.size());
+  parallel_for(executor, sites.size(), 64,
+               [&](std::size_t r) { places[r] = placer.find(sites[r], cells[r]); });
+  return places;
+}
+
+void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
+                   std::vector<SurfacePoint>& places) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TriangleId origin = input.origin[input.fine.triangles_at(corners[i])[0]];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3& corner = mesh.positions[mesh.triangles[origin][c]];
+      if (input.frame.to_unit(corner) != input.fine.positions[corners[i]]) continue;
+      places[i] = {origin, {0, 0, 0}};
+      places[i].weights[c] = 1;
+    }
+  }
+}
+
+Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
+  const auto& [a, b, c] = mesh.triangles[point.triangle];
+  return point.weights[0] * mesh.positions[a] + point.weights[1] * mesh.positions[b] +
+         point.weights[2] * mesh.positions[c];
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/surface/substrate/surface_input.h"
+#include "geolloyd/remesh.h"
+
+namespace geolloyd {
+
+/// Per site: the point of the mesh that is closest to it on the triangles about the vertex of its
+/// cell that is nearest to it. Of equals, that with the smaller ids. A site without a cell has none
+/// (no_id).
+std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& input,
+                                      const std::vector<Vec3>& sites,
+                                      const std::vector<RegionId>& labels,
+                                      Executor& executor = sequential());
+
+/// Puts the first places, which are those of corners (vertices of `input.fine`), exactly on the
+/// mesh's vertices, where corners are such.
+void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
+                   std::vector<SurfacePoint>& places);
+
+/// Where that is, mesh units.
+Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
+
+}  // namespace geolloyd

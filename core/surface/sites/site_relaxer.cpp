@@ -1,0 +1,79 @@
+#include "core/surface/sites/site_relaxer.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "core/base/random.h"
+#include "core/surface/cells/cell_labels.h"
+#include "core/surface/sites/site_descent.h"
+
+namespace geolloyd {
+
+SiteRelaxer::SiteRelaxer(const MakeSurfaceEngine& make_engine, const RemeshOptions& options,
+                         double sized_area, double to_mesh_units, Executor& executor)
+    : make_engine_(make_engine),
+      options_(options),
+      sized_area_(sized_area),
+      to_mesh_units_(to_mesh_units),
+      executor_(executor) {}
+
+SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
+  if (mesh_ != level.mesh) {
+    engine_.reset();
+    engine_ = make_engine_(*level.mesh);
+    mesh_ = level.mesh;
+  }
+  return *engine_;
+}
+
+void SiteRelaxer::sweep(const LevelMesh& level, LabelledSites& state) {
+  SurfaceEngine& engine = engine_for(level);
+  keep_one_piece(*level.mesh, state.sites.size(), level.is_on_curve, state.labels, executor_);
+  engine.assign(std::move(state.labels), level.is_on_curve);
+  engine.evaluate(state.sites.positions);
+  state.labels = engine.labels();
+}
+
+double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations) {
+  SurfaceEngine& engine = engine_for(level);
+  const std::size_t count = state.sites.size();
+  if (steps_.empty()) watch_ = Stopwatch();
+  std::size_t iteration = 0;
+  const std::vector<double> inverse_sizing =
+      inverse_sizing_at_sites(*level.mesh, state.sites.size(), state.labels);
+  engine.assign(std::move(state.labels), level.is_on_curve);
+  DescentOptions options;
+  options.stays = state.sites.stays;
+  options.most_iterations = is_interrupted_ ? 0 : iterations;
+  options.longest_move = 0.5 * std::sqrt(sized_area_ / static_cast<double>(count));
+  options.inverse_sizing = inverse_sizing;
+  options.least_gain = 1e-5;
+  options.keep_going = [&](double energy) { return record(level, count, ++iteration, energy); };
+  const double energy = descend(*level.mesh, engine, state.sites.positions, options, executor_);
+  state.labels = engine.labels();
+  add_to_fingerprint(state);
+  return energy;
+}
+
+bool SiteRelaxer::record(const LevelMesh& level, std::size_t sites, std::size_t iteration,
+                         double energy) {
+  fingerprint_ = mix_bits(fingerprint_ ^ std::bit_cast<std::uint64_t>(energy));
+  const double square = to_mesh_units_ * to_mesh_units_;
+  steps_.push_back({sites, level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
+  if (options_.progress) {
+    const double ratio = energy / energy_of_hexagonal_tiling(sized_area_, sites);
+    is_interrupted_ = !options_.progress({sites, wanted_sites_, iteration, ratio});
+  }
+  return !is_interrupted_;
+}
+
+void SiteRelaxer::add_to_fingerprint(const LabelledSites& state) {
+  for (const Vec3& p : state.sites.positions) {
+    for (const double x : p)
+      fingerprint_ = mix_bits(fingerprint_ ^ std::bit_cast<std::uint64_t>(x));
+  }
+  for (const RegionId label : state.labels) fingerprint_ = mix_bits(fingerprint_ ^ label);
+}
+
+}  // namespace geolloyd

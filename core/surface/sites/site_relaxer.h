@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/executor.h"
+#include "core/base/stopwatch.h"
+#include "core/surface/cells/surface_engine.h"
+#include "core/surface/sites/level_mesh.h"
+#include "core/surface/sites/surface_sites.h"
+#include "geolloyd/remesh.h"
+
+namespace geolloyd {
+
+/// Sites, and the label of each vertex of the mesh that they move on.
+struct LabelledSites {
+  SurfaceSites sites;
+  std::vector<RegionId> labels;
+};
+
+/// Moves sites on one mesh after the other, and keeps the record of it.
+class SiteRelaxer {
+ public:
+  /// `sized_area` is that of the fine mesh, `to_mesh_units` the length of 1 of the unit frame.
+  SiteRelaxer(const MakeSurfaceEngine& make_engine, const RemeshOptions& options, double sized_area,
+              double to_mesh_units, Executor& executor);
+
+  /// What progress is told.
+  void set_wanted_sites(std::size_t count) { wanted_sites_ = count; }
+  /// Leaves each cell in one piece, then sweeps.
+  void sweep(const LevelMesh& level, LabelledSites& state);
+  /// Moves free sites downhill; after an interrupt, only sweeps. Returns the energy.
+  double relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations);
+  /// Gives the engine's memory back, until something is relaxed again.
+  void release_engine() {
+    engine_.reset();
+    mesh_ = nullptr;
+  }
+  /// Moments of the cells after the last sweep.
+  [[nodiscard]] const Cells& cells() const { return engine_->cells(); }
+
+  [[nodiscard]] bool is_interrupted() const { return is_interrupted_; }
+  [[nodiscard]] const std::vector<SurfaceStep>& steps() const { return steps_; }
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
+
+ private:
+  SurfaceEngine& engine_for(const LevelMesh& level);
+  bool record(const LevelMesh& level, std::size_t sites, std::size_t iteration, double energy);
+  void add_to_fingerprint(const LabelledSites& state);
+
+  const MakeSurfaceEngine& make_engine_;
+  const RemeshOptions& options_;
+  double sized_area_;
+  double to_mesh_units_;
+  Executor& executor_;
+  const FineMesh* mesh_ = nullptr;
+  std::unique_ptr<SurfaceEngine> engine_;  // on it
+  Stopwatch watch_;
+  std::vector<SurfaceStep> steps_;
+  std::uint64_t fingerprint_ = 0;
+  bool is_interrupted_ = false;
+  std::size_t wanted_sites_ = 0;
+};
+
+/// Energy of a hexagonal tiling of the plane with as much area and as many cells: that of a regular
+/// hexagon of area 1 is 5 / (18 sqrt 3). Where sizes vary, of the sized area: a cell of inverse
+/// sizing r has r^-2 of an even cell's area, and r^4 of its density.
+constexpr double energy_of_hexagonal_tiling(double area, std::size_t cells) {
+  return 0.16037507477489604 * area * area / static_cast<double>(cells);
+}
+
+}  // namespace geolloyd

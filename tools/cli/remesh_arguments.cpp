@@ -1,0 +1,181 @@
+#include "tools/cli/remesh_arguments.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "geolloyd/errors.h"
+#include "tools/cli/number_option.h"
+#include "tools/words/numbers.h"
+
+namespace geolloyd {
+CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices,
+                                 const std::string& what) {
+  constexpr std::uint64_t least = 4;
+  return whole_number(command.add_option("-n,--vertices", vertices, what), least,
+                      std::numeric_limits<std::uint32_t>::max());
+}
+
+void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
+  add_vertices_option(command, fineness.vertices,
+                      "Number of vertices; there are more only where the topology needs\n"
+                      "them");
+  positive_number(command.add_option("--edge-length", fineness.edge_length,
+                                     "Mean length of edges, instead of --vertices"))
+      ->type_name("LENGTH");
+  command
+      .add_option_function<std::string>(
+          "--tolerance",
+          [&fineness](const std::string& text) {
+            std::string_view number = text;
+            fineness.is_percentage = number.ends_with('%');
+            if (fineness.is_percentage) number.remove_suffix(1);
+            const auto value = parse_number<double>(number);
+            if (!value || !std::isfinite(*value) || !(*value > 0)) {
+              throw CLI::ValidationError(
+                  "--tolerance", "'" + text +
+                                     "': give a distance above 0, or like 0.5% of the bounding "
+                                     "box's diagonal");
+            }
+            fineness.tolerance = *value;
+          },
+          "Largest distance to the input, such as 0.1, or 0.5% of the\n"
+          "bounding box's diagonal: searches the fewest vertices for it")
+      ->type_name("DISTANCE");
+}
+
+void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what) {
+  command.add_option("--vfield", field.vfield, what)
+      ->type_name("FILE|curvature")
+      ->group(sizing_group);
+}
+
+void check_has_magnitudes(const FieldArguments& field) {
+  if (!field.has_cross_field()) return;
+  throw InvalidInput(
+      "--vfield cross: has directions without magnitudes, which shape no triangles: give "
+      "curvature, or a file");
+}
+
+void add_size_file_options(CLI::App& command, SizingArguments& sizing) {
+  command
+      .add_option("--sizing", sizing.lengths_file,
+                  "File of edge lengths: one per line, for each vertex of the input\n"
+                  "in turn. With --vertices, --edge-length or --tolerance they are\n"
+                  "scaled")
+      ->type_name("FILE")
+      ->group(sizing_group);
+  command
+      .add_option("--density", sizing.densities_file,
+                  "File of densities, in the same form: edges are as long as\n"
+                  "density^(-1/4) has it")
+      ->type_name("FILE")
+      ->group(sizing_group);
+}
+
+void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
+  command
+      .add_option_function<std::string>(
+          "--adapt",
+          [&sizing](const std::string& text) {
+            const auto value = parse_number<double>(text);
+            if (!value || !(*value >= 0 && *value <= 2)) {
+              throw CLI::ValidationError("--adapt", "'" + text + "': give a number from 0 to 2");
+            }
+            sizing.adapt = *value;
+          },
+          "Shorter edges where the surface is curved: as long as\n"
+          "curvature^(-G/2) has it. 0: the same everywhere")
+      ->type_name("G")
+      ->group(sizing_group);
+  command
+      .add_option_function<std::string>(
+          "--growth",
+          [&sizing](const std::string& text) {
+            const auto value = parse_number<double>(text);
+            if (!value || !std::isfinite(*value) || !(*value > 1)) {
+              throw CLI::ValidationError("--growth", "'" + text + "': give a number above 1");
+            }
+            sizing.growth = *value;
+          },
+          "How many times longer than an edge the next one may be, where\n"
+          "lengths vary")
+      ->type_name("FACTOR")
+      ->default_str("1.12")
+      ->group(sizing_group);
+}
+
+void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing) {
+  const int fields = (sizing.lengths_file.empty() ? 0 : 1) +
+                     (sizing.densities_file.empty() ? 0 : 1) + (sizing.adapt > 0 ? 1 : 0);
+  if (fields > 1) throw InvalidInput("--sizing, --density and --adapt exclude each other");
+  const int given = (fineness.vertices > 0 ? 1 : 0) + (fineness.edge_length > 0 ? 1 : 0) +
+                    (fineness.tolerance > 0 ? 1 : 0);
+  if (given == 1 || (given == 0 && !sizing.lengths_file.empty())) return;
+  throw InvalidInput(given == 0 ? "how fine? Give --vertices N, --edge-length LENGTH or "
+                                  "--tolerance DISTANCE"
+                                : "--vertices, --edge-length and --tolerance exclude each other");
+}
+
+void add_feature_options(CLI::App& command, FeatureArguments& features) {
+  command
+      .add_option_function<std::string>(
+          "--features",
+          [&features](const std::string& text) {
+            const auto angle = parse_number<double>(text);
+            if (text == "auto" || text == "off") {
+              features.creases = text == "auto" ? Creases::automatic : Creases::none;
+            } else if (angle && *angle > 0 && *angle <= 180) {
+              features.creases = Creases::by_angle;
+              features.crease_angle = *angle;
+            } else {
+              throw CLI::ValidationError(
+                  "--features",
+                  "'" + text + "': give auto, off, or an angle above 0 and up to 180 degrees");
+            }
+          },
+          "Sharp edges that the remesh keeps: auto finds those that stand\n"
+          "out, an angle in degrees takes all that turn as much")
+      ->type_name("auto|off|ANGLE")
+      ->default_str("auto")
+      ->group(feature_group);
+  command
+      .add_option("--feature-labels", features.labels,
+                  "Property of triangles or of vertices, such as region: borders\n"
+                  "between its values are kept")
+      ->type_name("NAME")
+      ->group(feature_group);
+}
+
+void add_feature_file_options(CLI::App& command, FeatureArguments& features) {
+  command
+      .add_option("--feature-edges", features.edges_file,
+                  "File of further edges to keep: two vertices of the input per\n"
+                  "line, counted from 0")
+      ->type_name("FILE")
+      ->group(feature_group);
+  command
+      .add_option("--fixed", features.fixed_file,
+                  "File of vertices to keep where they are: one vertex of the input\n"
+                  "per line, counted from 0")
+      ->type_name("FILE")
+      ->group(feature_group);
+}
+
+void add_no_fit_option(CLI::App& command, bool& no_fit) {
+  command.add_flag("--no-fit", no_fit,
+                   "Leave vertices on the surface of the input, instead of moving them\n"
+                   "off it where that brings the triangles closer");
+}
+
+std::string name_of_creases(const FeatureArguments& features) {
+  if (features.creases == Creases::none) return "off";
+  if (features.creases == Creases::automatic) return "auto";
+  return fmt::format("{}", features.crease_angle);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,154 @@
+#include "tools/run/attribute_transfer.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/base/loops.h"
+#include "core/mesh/closest_on_triangle.h"
+#include "core/mesh/properties.h"
+#include "core/mesh/property_mixture.h"
+#include "core/text/text_cursor.h"
+#include "geolloyd/errors.h"
+#include "tools/evaluation/point_queries.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t queries_at_a_time = 64;
+
+class Carrier {
+ public:
+  Carrier(const Mesh& mesh, const Properties& properties, Executor& executor)
+      : mesh_(mesh), properties_(properties), executor_(executor) {}
+
+  /// mixture(i): what vertex i of the remesh is made of.
+  template <class MixtureOf>
+  Properties carry(const Mesh& remesh, MixtureOf&& mixture_of) {
+    Properties carried;
+    carried.left_out = properties_.left_out;
+    if (!properties_.of_vertices.empty()) {
+      std::vector<Mixture> mixtures(remesh.vertex_count());
+      parallel_for(executor_, mixtures.size(), queries_at_a_time,
+                   [&](std::size_t v) { mixtures[v] = mixture_of(v); });
+      carried.of_vertices = mix(properties_.of_vertices, mixtures, executor_);
+    }
+    if (!properties_.of_triangles.empty()) {
+      std::vector<Mixture> mixtures(remesh.triangle_count());
+      find_surface();
+      parallel_for(executor_, mixtures.size(), queries_at_a_time,
+                   [&](std::size_t t) { mixtures[t] = triangles_below(remesh, t); });
+      carried.of_triangles = mix(properties_.of_triangles, mixtures, executor_);
+    }
+    return carried;
+  }
+
+  /// Before any point is looked for.
+  void find_surface() {
+    if (!surface_) surface_.emplace(mesh_, executor_.threads());
+  }
+
+  [[nodiscard]] Mixture closest_to(const Vec3& p) const {
+    const TriangleId triangle = surface_->find(p).triangle;
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    const auto [v, w] = weights_closest_to_origin(
+        {mesh_.positions[a] - p, mesh_.positions[b] - p, mesh_.positions[c] - p});
+    const double u = 1 - v - w;
+    return mixture_at(mesh_, {triangle, {u > 0 ? u : 0, v, w}});
+  }
+
+ private:
+  // Of its quarters: one has the same middle as it, and one lies at each corner.
+  [[nodiscard]] Mixture triangles_below(const Mesh& remesh, std::size_t t) const {
+    std::array<Vec3, 3> corner;
+    for (std::size_t c = 0; c < 3; ++c) corner[c] = remesh.positions[remesh.triangles[t][c]];
+    const Vec3 middle = (corner[0] + corner[1] + corner[2]) / 3;
+    Mixture mixture{};
+    mixture[0] = {surface_->find(middle).triangle, 0.25};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3 p = (corner[c] + middle) / 2;
+      mixture[c + 1] = {surface_->find(p, mixture[0].item).triangle, 0.25};
+    }
+    return mixture;
+  }
+
+  const Mesh& mesh_;
+  const Properties& properties_;
+  Executor& executor_;
+  std::optional<ClosestPoint> surface_;
+};
+
+Mixture mixture_of_seed(const Mesh& mesh, const MeshGraph& mesh_graph, NodeId seed) {
+  const InputId id = mesh_graph.input_id[seed];
+  if (!mesh_graph.is_triangle(id)) return {{{id, 1}}};
+  constexpr double third = 1.0 / 3;
+  const auto triangle = static_cast<TriangleId>(id - mesh_graph.first_triangle_id);
+  return mixture_at(mesh, {triangle, {third, third, third}});
+}
+
+}  // namespace
+
+Properties transfer_properties(const Mesh& mesh, const Properties& properties, const Remesh& remesh,
+                               Executor& executor) {
+  return Carrier(mesh, properties, executor).carry(remesh.mesh, [&](std::size_t v) {
+    return mixture_at(mesh, remesh.places[v]);
+  });
+}
+
+Properties transfer_properties(const Mesh& mesh, const Properties& properties,
+                               const MeshGraph& mesh_graph, const GraphDual& remesh,
+                               Executor& executor) {
+  Carrier carrier(mesh, properties, executor);
+  const auto is_at_seed = [&](std::size_t v) {
+    return remesh.mesh.positions[v] == mesh_graph.position[remesh.seeds[v]];
+  };
+  for (std::size_t v = 0; v < remesh.seeds.size() && !properties.of_vertices.empty(); ++v) {
+    if (!is_at_seed(v)) carrier.find_surface();
+  }
+  return carrier.carry(remesh.mesh, [&](std::size_t v) {
+    return is_at_seed(v) ? mixture_of_seed(mesh, mesh_graph, remesh.seeds[v])
+                         : carrier.closest_to(remesh.mesh.positions[v]);
+  });
+}
+
+std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& properties,
+                                        const std::string& name) {
+  const Property* of_triangles = find_property(properties.of_triangles, name);
+  const Property* of_vertices = find_property(properties.of_vertices, name);
+  const Property* labels = of_triangles != nullptr ? of_triangles : of_vertices;
+  const std::string option = "--feature-labels " + in_quotes(name) + ": ";
+  if (labels == nullptr) {
+    const auto names = [](const std::vector<Property>& all) {
+      return all.empty() ? std::string("none") : list_names(all);
+    };
+    throw InvalidInput(option + "the mesh has no such property; its vertices have " +
+                       names(properties.of_vertices) + ", its triangles " +
+                       names(properties.of_triangles));
+  }
+  if (!has_integers(*labels)) {
+    throw InvalidInput(option + "its type is " + type_name(labels->values) +
+                       ", and labels are integers");
+  }
+  if (!is_label(*labels)) throw InvalidInput(option + "it is a part of a colour, and no label");
+  const auto value = [&](std::size_t i) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value_at(*labels, i)));
+  };
+  std::vector<std::uint32_t> groups(mesh.triangle_count());
+  for (std::size_t t = 0; t < groups.size(); ++t) {
+    if (of_triangles != nullptr) {
+      groups[t] = value(t);
+      continue;
+    }
+    std::array<std::int64_t, 3> corner{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      corner[c] = static_cast<std::int64_t>(value_at(*labels, mesh.triangles[t][c]));
+    }
+    std::sort(corner.begin(), corner.end());
+    groups[t] = static_cast<std::uint32_t>(corner[1] == corner[2] ? corner[1] : corner[0]);
+  }
+  return groups;
+}
+
+}  // namespace geolloyd
