@@ -51,8 +51,8 @@ BenchMesh generated_mesh(std::size_t triangles, std::optional<std::size_t> seeds
 }
 
 BenchMesh mesh_of_file(const std::filesystem::path& file, std::optional<std::size_t> seeds) {
-  const Mesh read = read(file).mesh;
-  const MeshFacts facts = check_mesh(read, find_edges(read));
+  const Mesh held = read(file).mesh;
+  const MeshFacts facts = check_mesh(held, find_edges(held));
   const std::size_t nodes = facts.vertices - facts.unreferenced_vertices;
   if (nodes == 0) throw InvalidInput(file.string() + ": no usable triangle");
   BenchMesh mesh;

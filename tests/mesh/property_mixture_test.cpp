@@ -103,13 +103,13 @@ TEST(PropertyMixture, LinearFunctionsAreInterpolatedExactly) {
     RemeshOptions options;
     options.vertex_count = 100;
     options.fit = false;
-    const Remesh remesh = remesh(mesh, options);
+    const Remesh made = remesh(mesh, options);
     const std::vector<Property> properties = {{"q", q}, {"red", red}};
-    const std::vector<Property> made = values_at(mesh, properties, remesh.places);
-    for (std::size_t v = 0; v < remesh.mesh.vertex_count(); ++v) {
-      const Vec3& p = remesh.mesh.positions[v];
-      EXPECT_NEAR(value_at(made[0], v), linear(p), 1e-13);
-      EXPECT_NEAR(value_at(made[1], v), 100 + 40 * p.x(), 1.01);
+    const std::vector<Property> values = values_at(mesh, properties, made.places);
+    for (std::size_t v = 0; v < made.mesh.vertex_count(); ++v) {
+      const Vec3& p = made.mesh.positions[v];
+      EXPECT_NEAR(value_at(values[0], v), linear(p), 1e-13);
+      EXPECT_NEAR(value_at(values[1], v), 100 + 40 * p.x(), 1.01);
     }
   }
 }

@@ -75,7 +75,7 @@ class Carrying : public Program {
     return geolloyd_with("remesh " + mesh_.string() + " -o " + file(name).string() + " " + options);
   }
 
-  static LoadedMesh read(const fs::path& path) { return read(path, {true}); }
+  static LoadedMesh read(const fs::path& path) { return geolloyd::read(path, {true}); }
 
   static void expect_text(const Outcome& outcome, const std::string& text) {
     EXPECT_NE(outcome.text.find(text), std::string::npos) << text << "\n" << outcome.text;

@@ -121,13 +121,13 @@ TEST(Sizing, ScalesAFieldToACountOrAMeanLength) {
               1e-6);
   options.vertex_count = 0;
   options.edge_length = 0.03;
-  const Remesh remesh = remesh(mesh, options);
+  const Remesh made = remesh(mesh, options);
   double sum = 0;
-  const MeshEdges made = find_edges(remesh.mesh);
-  for (const auto& [a, b] : made.ends) {
-    sum += norm(remesh.mesh.positions[a] - remesh.mesh.positions[b]);
+  const MeshEdges made_edges = find_edges(made.mesh);
+  for (const auto& [a, b] : made_edges.ends) {
+    sum += norm(made.mesh.positions[a] - made.mesh.positions[b]);
   }
-  EXPECT_NEAR(sum / static_cast<double>(made.size()), 0.03, 0.03 * 0.02);
+  EXPECT_NEAR(sum / static_cast<double>(made_edges.size()), 0.03, 0.03 * 0.02);
 }
 
 TEST(Sizing, OfAPlaneFollowsALinearField) {
@@ -135,16 +135,16 @@ TEST(Sizing, OfAPlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.06 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, ramp);
-  const Remesh remesh = remesh(mesh, options_with(sizing));
-  EXPECT_TRUE(remesh.has_input_topology());
-  expect_follows(sorted_ratios(remesh.mesh, ramp));
-  const MeshQuality quality = measure_quality(remesh.mesh, find_edges(remesh.mesh));
+  const Remesh made = remesh(mesh, options_with(sizing));
+  EXPECT_TRUE(made.has_input_topology());
+  expect_follows(sorted_ratios(made.mesh, ramp));
+  const MeshQuality quality = measure_quality(made.mesh, find_edges(made.mesh));
   EXPECT_GE(quality.smallest_angle, 30);
-  ASSERT_EQ(remesh.edge_lengths.size(), remesh.mesh.vertex_count());
-  for (std::size_t v = 0; v < remesh.edge_lengths.size(); ++v) {
-    EXPECT_NEAR(remesh.edge_lengths[v], ramp(remesh.mesh.positions[v]), 1e-3);
+  ASSERT_EQ(made.edge_lengths.size(), made.mesh.vertex_count());
+  for (std::size_t v = 0; v < made.edge_lengths.size(); ++v) {
+    EXPECT_NEAR(made.edge_lengths[v], ramp(made.mesh.positions[v]), 1e-3);
   }
-  EXPECT_NEAR(remesh.energy / remesh.energy_of_hexagonal_tiling, 1.06, 0.06);
+  EXPECT_NEAR(made.energy / made.energy_of_hexagonal_tiling, 1.06, 0.06);
 }
 
 // Two triangles have sizes at four vertices only, between which they are linear.
@@ -155,9 +155,9 @@ TEST(Sizing, OfACoarsePlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.08 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(square, ramp);
-  const Remesh remesh = remesh(square, options_with(sizing));
-  EXPECT_TRUE(remesh.has_input_topology());
-  expect_follows(sorted_ratios(remesh.mesh, ramp));
+  const Remesh made = remesh(square, options_with(sizing));
+  EXPECT_TRUE(made.has_input_topology());
+  expect_follows(sorted_ratios(made.mesh, ramp));
 }
 
 TEST(Sizing, OfACubeKeepsItsEdges) {
@@ -165,10 +165,10 @@ TEST(Sizing, OfACubeKeepsItsEdges) {
   const auto length = [](const Vec3& p) { return 0.05 + 0.1 * p.z(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, length);
-  const Remesh remesh = remesh(mesh, options_with(sizing));
-  EXPECT_TRUE(remesh.has_input_topology());
-  EXPECT_NEAR(remesh.feature_length(), 12, 1e-9);
-  expect_follows(sorted_ratios(remesh.mesh, length));
+  const Remesh made = remesh(mesh, options_with(sizing));
+  EXPECT_TRUE(made.has_input_topology());
+  EXPECT_NEAR(made.feature_length(), 12, 1e-9);
+  expect_follows(sorted_ratios(made.mesh, length));
 }
 
 // Lengths are powers of two, and densities of sixteen, whose roots are exact.
@@ -188,9 +188,9 @@ TEST(Sizing, OfOneLengthIsEven) {
   const Mesh mesh = icosphere(5000);
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, [](const Vec3&) { return 7.0; });
-  const Remesh remesh = remesh(mesh, options_with(sizing, 300));
-  EXPECT_EQ(remesh.mesh.vertex_count(), 300U);
-  EXPECT_LE(remesh.energy / remesh.energy_of_hexagonal_tiling, 1.02);
+  const Remesh made = remesh(mesh, options_with(sizing, 300));
+  EXPECT_EQ(made.mesh.vertex_count(), 300U);
+  EXPECT_LE(made.energy / made.energy_of_hexagonal_tiling, 1.02);
   RemeshOptions even;
   even.vertex_count = 300;
   EXPECT_TRUE(remesh(mesh, even).edge_lengths.empty());
@@ -200,9 +200,9 @@ TEST(Sizing, AdaptsNothingWhereCurvatureIsTheSame) {
   for (const Mesh& mesh : {icosphere(8000), irregular_plane(5000, 1), sharp_prism(4)}) {
     SizingOptions sizing;
     sizing.adapt = 1;
-    const Remesh remesh = remesh(mesh, options_with(sizing, 200));
+    const Remesh made = remesh(mesh, options_with(sizing, 200));
     const auto [least, most] =
-        std::minmax_element(remesh.edge_lengths.begin(), remesh.edge_lengths.end());
+        std::minmax_element(made.edge_lengths.begin(), made.edge_lengths.end());
     EXPECT_LE(*most, 1.1 * *least) << mesh.vertex_count();
   }
 }
@@ -213,15 +213,15 @@ TEST(Sizing, AdaptsToAnEllipsoid) {
   for (Vec3& p : mesh.positions) p.x() *= 4;
   SizingOptions sizing;
   sizing.adapt = 1;
-  const Remesh remesh = remesh(mesh, options_with(sizing, 400));
+  const Remesh made = remesh(mesh, options_with(sizing, 400));
   double at_tip = 0;
   double at_waist = 0;
   double tips = 0;
   double waists = 0;
-  for (std::size_t v = 0; v < remesh.edge_lengths.size(); ++v) {
-    const double x = std::abs(remesh.mesh.positions[v].x());
-    if (x > 3.7) at_tip += remesh.edge_lengths[v], ++tips;
-    if (x < 1) at_waist += remesh.edge_lengths[v], ++waists;
+  for (std::size_t v = 0; v < made.edge_lengths.size(); ++v) {
+    const double x = std::abs(made.mesh.positions[v].x());
+    if (x > 3.7) at_tip += made.edge_lengths[v], ++tips;
+    if (x < 1) at_waist += made.edge_lengths[v], ++waists;
   }
   ASSERT_GT(tips, 0);
   // Principal curvatures are 4 and 4 at the tip, 1 and 1/16 at the waist; the tip is small, so that

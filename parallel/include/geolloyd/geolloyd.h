@@ -2,10 +2,9 @@
 
 /// Geodesic centroidal Voronoi tessellations of triangle meshes, and remeshes from them.
 ///
-///   const geolloyd::Mesh mesh = geolloyd::read("scan.ply").mesh;
-///   geolloyd::Threads threads;
-///   const auto tessellation = geolloyd::relax(mesh, {.seed_count = 2048}, threads);
-///   geolloyd::write("remesh.ply", geolloyd::remesh(mesh, tessellation, {}, threads).mesh);
+///   const geolloyd::Mesh scan = geolloyd::read("scan.ply").mesh;
+///   const geolloyd::Remesh remesh = geolloyd::remesh(scan, {.vertex_count = 2048});
+///   geolloyd::write("remesh.ply", remesh.mesh);
 ///
 /// Results speak the ids of the input (types.h). They are the same to the bit on every machine and
 /// any number of threads. What a user can put right is thrown as geolloyd::Error, with one line
@@ -16,13 +15,15 @@
 /// geolloyd::evaluation (evaluation.h) and geolloyd::render (render.h) have headers of their own.
 
 #include "geolloyd/choices.h"     // enumerations, progress
+#include "geolloyd/dual.h"        // dual: the mesh of a tessellation
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
 #include "geolloyd/fields.h"      // curvature_field, cross_field
 #include "geolloyd/measure.h"     // quality and topology of a mesh
 #include "geolloyd/mesh.h"        // Mesh, read, write
 #include "geolloyd/properties.h"  // Properties: colours, normals, labels
 #include "geolloyd/relax.h"       // relax, voronoi, distances
-#include "geolloyd/remesh.h"      // remesh
+#include "geolloyd/remesh.h"      // remesh: the surface remesh
+#include "geolloyd/repair.h"      // repair
 #include "geolloyd/runtime.h"     // Runtime: who computes
 #include "geolloyd/shapes.h"      // generated meshes
 #include "geolloyd/threads.h"     // Threads
