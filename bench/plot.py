@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws results of geolloyd compare, profile and batch, reports of remesh, and local minima, for light pages and dark ones."""
+"""Draws results of geolloyd compare, profile and batch, and reports of remesh, for light pages and dark ones."""
 
 import argparse
 import importlib
@@ -51,7 +51,7 @@ def draw_all(result: dict, stem: Path) -> None:
 def main() -> int:
     """Reads the command line; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("result", type=Path, metavar="RESULT.json", help="written by geolloyd compare, profile or batch, the report of remesh, or what bench/studies/local_minima kept")
+    parser.add_argument("result", type=Path, metavar="RESULT.json", help="written by geolloyd compare, profile or batch, or the report of remesh")
     parser.add_argument("--output", type=Path, metavar="STEM",
                         help="writes STEM.png and STEM-dark.png (default: RESULT), of a batch with several seed counts "
                              "also STEM-ladder.png and STEM-ladder-dark.png")

@@ -60,9 +60,6 @@ SHAPES = {
             "microsteps": AVERAGE, "energy": AVERAGE,
         }],
     },
-    "local_minima": {
-        "rows": [{"name": str, "seeds": POSITIVE, "runs": {"farthest": {"energy": NUMBER, "seconds": NUMBER}}}],
-    },
     "remesh": {
         "input": {**MESH, "area": NUMBER},
         "options": {"vertices": POSITIVE, "threads": POSITIVE},
@@ -114,8 +111,7 @@ def something_to_draw(result: dict) -> bool:
     """Whether any run came to its end."""
     if result["command"] == "profile":
         return any(profile["phases"] or profile["steps"] for profile in result["profiles"])
-    return bool(result[{"compare": "runs", "batch": "rows", "local_minima": "rows",
-                        "remesh": "trace"}[result["command"]]])
+    return bool(result[{"compare": "runs", "batch": "rows", "remesh": "trace"}[result["command"]]])
 
 
 def load(path: Path) -> dict:

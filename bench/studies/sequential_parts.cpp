@@ -130,8 +130,6 @@ void print_table(std::size_t triangles, std::size_t seeds) {
   table.row("checks", [&] { return check_mesh(mesh, edges, threads); });
   for (const auto& [name, kind] : {std::pair("graph, vertex", GraphKind::vertex),
                                    {"graph, vertex-dense", GraphKind::vertex_dense},
-                                   {"graph, triangle", GraphKind::triangle},
-                                   {"graph, triangle-dense", GraphKind::triangle_dense},
                                    {"graph, mixed", GraphKind::mixed}}) {
     table.row(name, [&, kind = kind] {
       return make_mesh_graph(mesh, edges, {kind, Norm::geodesic, {}}, threads);

@@ -23,8 +23,8 @@ struct FirstSeedOptions {
 };
 
 /// What `automatic` stands for: `coarse` for few seeds, where the graph is fine enough for it;
-/// `surface` for many, where the graph has some nodes for each; else `farthest` (bench/README.md,
-/// "Ways out of local minima").
+/// `surface` for many, where the graph has some nodes for each; else `farthest`
+/// (bench/results/local-minima.md).
 SeedInit suited_init(std::size_t nodes, std::size_t count);
 
 /// Whether first seeds of a graph of so many nodes are chosen near sites of the surface.

@@ -1,10 +1,11 @@
-#include "core/voronoi/graph_error.h"
+#include "bench/support/graph_error.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
+#include "core/graph/arc_length.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "tests/support/graph_kinds.h"
@@ -177,6 +178,26 @@ TEST(GraphError, MoreArcsNeverMakeAWayLonger) {
     expect_no_longer(graph_of(surface, GraphKind::triangle_dense), triangle, 0);
     expect_no_longer(mixed, vertex, 0);
     expect_no_longer(mixed, triangle, mixed.first_triangle_id);
+  }
+}
+
+// Axes along no edges of the mesh.
+TEST(GraphError, IsSmallInEachNormOnTheFarGraph) {
+  const Surface surface = plane(5'000);
+  const TangentSpace oblique{{0.8, 0.6, 0}, {-0.6, 0.8, 0}, 1, 1};
+  const std::vector<TangentSpace> field(surface.mesh.vertex_count(), oblique);
+  for (const Norm norm_kind : {Norm::manhattan, Norm::linf}) {
+    const auto error_on = [&](GraphKind kind) {
+      const MeshGraph made =
+          make_mesh_graph(surface.mesh, find_edges(surface.mesh), {kind, norm_kind, field});
+      return measure_graph_error(
+          made, sources, 1, 8 * surface.edge,
+          [&](const Vec3& a, const Vec3& b) { return measure(Vec3(b - a), oblique, norm_kind); });
+    };
+    const GraphError far = error_on(GraphKind::vertex_far);
+    EXPECT_GT(far.smallest, -1e-6) << static_cast<int>(norm_kind);
+    EXPECT_LT(far.mean, 0.005) << static_cast<int>(norm_kind);
+    EXPECT_GT(error_on(GraphKind::vertex).mean, 0.03) << static_cast<int>(norm_kind);
   }
 }
 

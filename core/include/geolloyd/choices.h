@@ -62,7 +62,7 @@ enum class GreedyMode { off, standard, extended };
 
 /// The mode that suits first seeds chosen in this way. From farthest-point seeds the greedy phase
 /// takes time and raises the energy more often than it lowers it; from the other seeds it nearly
-/// always lowers it (bench/README.md, "When the greedy phase pays").
+/// always lowers it (bench/results/greedy-phase.md).
 constexpr GreedyMode suggested_greedy_mode(SeedInit init) {
   const bool is_even = init == SeedInit::farthest || init == SeedInit::surface ||
                        init == SeedInit::coarse || init == SeedInit::automatic;

@@ -1,4 +1,4 @@
-#include "core/voronoi/graph_error.h"
+#include "bench/support/graph_error.h"
 
 #include <algorithm>
 #include <cmath>
