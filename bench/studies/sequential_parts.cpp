@@ -27,7 +27,7 @@
 #include "core/start/first_seeds.h"
 #include "core/surface/result/remesh.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
 namespace {
@@ -86,7 +86,7 @@ class Table {
 void print_relaxations(Table& table, OneByOne& threads, const Mesh& mesh, const MeshEdges& edges,
                        const MeshGraph& made, std::size_t seeds) {
   const Graph& graph = made.graph;
-  SchedulerRuntime runtime(threads);
+  Threads runtime(threads);
   const Components components =
       table.row("components", [&] { return connected_components(graph); });
   const auto choose = [&](SeedInit init, std::size_t count) {
@@ -138,7 +138,7 @@ void print_table(std::size_t triangles, std::size_t seeds) {
   const MeshGraph made =
       make_mesh_graph(mesh, edges, {GraphKind::vertex, Norm::geodesic, {}}, threads);
   print_relaxations(table, threads, mesh, edges, made, seeds);
-  SchedulerRuntime runtime(threads);
+  Threads runtime(threads);
   table.row("surface remesh", [&] {
     RemeshOptions options;
     options.vertex_count = seeds;

@@ -7,7 +7,7 @@
 #include "bench/support/run.h"
 #include "core/seeds/seeds.h"
 #include "core/voronoi/dijkstra.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
 namespace {
@@ -52,7 +52,7 @@ void choose_sequentially(Run& run, SeedInit init) {
 void choose_in_parallel(Run& run, SeedInit init) {
   run.inputs().components();
   Scheduler scheduler(run.threads());
-  SchedulerRuntime runtime(scheduler);
+  Threads runtime(scheduler);
   const auto work = [&] { return choose(run, init, runtime); };
   run.verify("not the seeds of the calling thread",
              [&] { return work() == choose(run, init, reference_runtime()); });

@@ -25,7 +25,7 @@
 #include "core/regions/region_borders.h"
 #include "core/voronoi/check_partition.h"
 #include "geolloyd/errors.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/fuzz/target.h"
 
 namespace geolloyd::fuzz {
@@ -74,7 +74,7 @@ std::vector<NodeId> make_seeds(const Soup& soup, const Graph& graph, Scheduler& 
   const Components components = connected_components(graph);
   const std::size_t count = std::min(components.size() + soup.seeds, graph.node_count());
   std::vector<NodeId> seeds = choose_seeds(graph, components, soup.init, count, soup.random_seed);
-  SchedulerRuntime runtime(scheduler);
+  Threads runtime(scheduler);
   require(seeds == choose_seeds(graph, components, soup.init, count, soup.random_seed, runtime),
           "both searches choose the same seeds");
   require(std::set(seeds.begin(), seeds.end()).size() == count, "seeds are different");

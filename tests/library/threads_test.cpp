@@ -2,7 +2,10 @@
 #include <geolloyd/geolloyd.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "core/shapes/shapes.h"
 
@@ -13,8 +16,8 @@ TEST(Threads, ComputeWhatTheReferenceComputes) {
   const Mesh mesh = creature(6000, 1);
   RelaxOptions options;
   options.seed_count = 40;
-  const Tessellation expected = relax(mesh, options);
-  const Dual expected_remesh = dual(mesh, expected);
+  const Tessellation expected = relax(mesh, options, reference_runtime());
+  const Dual expected_remesh = dual(mesh, expected, {}, reference_runtime());
   for (const Backend backend : {Backend::tbb, Backend::openmp}) {
     for (const std::size_t count : {1U, 2U, 3U}) {
       Threads threads(count, backend);
@@ -29,6 +32,21 @@ TEST(Threads, ComputeWhatTheReferenceComputes) {
       EXPECT_EQ(tested_remesh.mesh.triangles, expected_remesh.mesh.triangles);
     }
   }
+}
+
+// The default runtime.
+TEST(Threads, AllOfThemServeSeveralCallersAtOnce) {
+  const Mesh mesh = creature(6000, 1);
+  RelaxOptions options;
+  options.seed_count = 40;
+  const std::uint64_t expected = relax(mesh, options, reference_runtime()).fingerprint;
+  std::vector<std::uint64_t> found(3, 0);
+  std::vector<std::thread> callers;
+  for (std::uint64_t& fingerprint : found) {
+    callers.emplace_back([&] { fingerprint = relax(mesh, options).fingerprint; });
+  }
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(found, std::vector<std::uint64_t>(3, expected));
 }
 
 TEST(Threads, AreAtMostAsManyAsAllowed) {

@@ -103,9 +103,10 @@ TEST(PropertyMixture, LinearFunctionsAreInterpolatedExactly) {
     RemeshOptions options;
     options.vertex_count = 100;
     options.fit = false;
-    const Remesh made = remesh(mesh, options);
+    const Remesh made = remesh(mesh, options, reference_runtime());
     const std::vector<Property> properties = {{"q", q}, {"red", red}};
-    const std::vector<Property> values = values_at(mesh, properties, made.places);
+    const std::vector<Property> values =
+        values_at(mesh, properties, made.places, reference_runtime());
     for (std::size_t v = 0; v < made.mesh.vertex_count(); ++v) {
       const Vec3& p = made.mesh.positions[v];
       EXPECT_NEAR(value_at(values[0], v), linear(p), 1e-13);

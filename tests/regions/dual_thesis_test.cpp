@@ -17,7 +17,7 @@
 #include "core/regions/dual_repair.h"
 #include "core/seeds/seeds.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/support/graph_kinds.h"
 #include "tests/support/sanitizers.h"
 
@@ -78,7 +78,7 @@ TEST_P(RemeshOfTheThesis, IsAManifoldOfItsTopology) {
     for (const std::size_t count : counts) {
       if (count > made.graph.node_count()) continue;
       SCOPED_TRACE(testing::Message() << static_cast<int>(kind) << " " << count);
-      SchedulerRuntime runtime(scheduler);
+      Threads runtime(scheduler);
       RelaxationOptions options;
       options.greedy = GreedyMode::off;
       if (!is_long) options.max_macrosteps = 1;

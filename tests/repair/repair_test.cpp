@@ -64,7 +64,7 @@ void expect_sound(const RepairedMesh& made, const Mesh& input) {
 }
 
 RepairedMesh repaired(const Mesh& mesh, const RepairOptions& options = {}) {
-  RepairedMesh made = repair(mesh, options);
+  RepairedMesh made = repair(mesh, options, reference_runtime());
   expect_sound(made, mesh);
   return made;
 }
@@ -295,7 +295,7 @@ TEST(Repair, LeavesOutSliversOfTheBoundary) {
 
 TEST(Repair, LeavesAMeshOfSliversAlone) {
   const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
-  const RepairedMesh made = repair(mesh);
+  const RepairedMesh made = repair(mesh, {}, reference_runtime());
   EXPECT_EQ(made.mesh.triangle_count(), 1U);
   EXPECT_EQ(made.repairs.slivers_left, 1U);
 }
@@ -395,13 +395,15 @@ TEST(Repair, DoesNotCloseFlatSheets) {
 TEST(Repair, RefusesWhatMakesNoSense) {
   Mesh broken = one_triangle();
   broken.triangles[0][2] = 7;
-  EXPECT_THROW(repair(broken), InvalidInput);
+  EXPECT_THROW(repair(broken, {}, reference_runtime()), InvalidInput);
   broken = one_triangle();
   broken.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(repair(broken), InvalidInput);
-  EXPECT_THROW(repair(Mesh{}), InvalidInput);
-  EXPECT_THROW(repair(one_triangle(), {0, -1}), InvalidInput);
-  EXPECT_THROW(repair(one_triangle(), {0, std::numeric_limits<double>::infinity()}), InvalidInput);
+  EXPECT_THROW(repair(broken, {}, reference_runtime()), InvalidInput);
+  EXPECT_THROW(repair(Mesh{}, {}, reference_runtime()), InvalidInput);
+  EXPECT_THROW(repair(one_triangle(), {0, -1}, reference_runtime()), InvalidInput);
+  EXPECT_THROW(
+      repair(one_triangle(), {0, std::numeric_limits<double>::infinity()}, reference_runtime()),
+      InvalidInput);
 }
 
 TEST(Repair, GivesACreatureBackThatHasAllFlaws) {
@@ -479,19 +481,20 @@ TEST(Repair, WorksNearLinearly) {
   hub.positions.emplace_back(0, 0, 1);
   for (VertexId i = 0; i < many; ++i) hub.positions.push_back(on_ring(double(i) / many, 1, 0));
   for (VertexId i = 0; i < many; ++i) hub.triangles.push_back({0, i + 1, (i + 1) % many + 1});
-  EXPECT_EQ(repair(hub).repairs.holes_filled, 0U);  // too long
-  EXPECT_EQ(topology_of(repair(soup_of(hub)).mesh), topology_of(hub));
+  EXPECT_EQ(repair(hub, {}, reference_runtime()).repairs.holes_filled, 0U);  // too long
+  EXPECT_EQ(topology_of(repair(soup_of(hub), {}, reference_runtime()).mesh), topology_of(hub));
 
   Mesh copies;
   copies.positions = one_triangle().positions;
   copies.triangles.assign(many, {0, 1, 2});
-  EXPECT_EQ(repair(copies).repairs.duplicate_triangles, many - 1U);
-  EXPECT_EQ(repair(soup_of(copies)).repairs.duplicate_triangles, many - 1U);
+  EXPECT_EQ(repair(copies, {}, reference_runtime()).repairs.duplicate_triangles, many - 1U);
+  EXPECT_EQ(repair(soup_of(copies), {}, reference_runtime()).repairs.duplicate_triangles,
+            many - 1U);
 
   Mesh slivers = hub;
   for (VertexId i = 1; i <= many; ++i) slivers.positions[i] = Vec3(1, 0, 0);
   slivers.positions[1] = Vec3(0, 1, 0);
-  EXPECT_EQ(walk_topology(repair(slivers).mesh).flaw, "");
+  EXPECT_EQ(walk_topology(repair(slivers, {}, reference_runtime()).mesh).flaw, "");
 }
 
 }  // namespace

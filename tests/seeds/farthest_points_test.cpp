@@ -9,7 +9,7 @@
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
 #include "core/voronoi/growing_search.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {

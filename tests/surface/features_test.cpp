@@ -21,7 +21,7 @@ Remesh remesh_of(const Mesh& mesh, std::size_t vertices, FeatureOptions features
   RemeshOptions options;
   options.vertex_count = vertices;
   options.features = std::move(features);
-  return remesh(mesh, options);
+  return remesh(mesh, options, reference_runtime());
 }
 
 double area_of(const Mesh& mesh) {

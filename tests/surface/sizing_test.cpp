@@ -121,7 +121,7 @@ TEST(Sizing, ScalesAFieldToACountOrAMeanLength) {
               1e-6);
   options.vertex_count = 0;
   options.edge_length = 0.03;
-  const Remesh made = remesh(mesh, options);
+  const Remesh made = remesh(mesh, options, reference_runtime());
   double sum = 0;
   const MeshEdges made_edges = find_edges(made.mesh);
   for (const auto& [a, b] : made_edges.ends) {
@@ -135,7 +135,7 @@ TEST(Sizing, OfAPlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.06 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, ramp);
-  const Remesh made = remesh(mesh, options_with(sizing));
+  const Remesh made = remesh(mesh, options_with(sizing), reference_runtime());
   EXPECT_TRUE(made.has_input_topology());
   expect_follows(sorted_ratios(made.mesh, ramp));
   const MeshQuality quality = measure_quality(made.mesh, find_edges(made.mesh));
@@ -155,7 +155,7 @@ TEST(Sizing, OfACoarsePlaneFollowsALinearField) {
   const auto ramp = [](const Vec3& p) { return 0.02 + 0.08 * p.x(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(square, ramp);
-  const Remesh made = remesh(square, options_with(sizing));
+  const Remesh made = remesh(square, options_with(sizing), reference_runtime());
   EXPECT_TRUE(made.has_input_topology());
   expect_follows(sorted_ratios(made.mesh, ramp));
 }
@@ -165,7 +165,7 @@ TEST(Sizing, OfACubeKeepsItsEdges) {
   const auto length = [](const Vec3& p) { return 0.05 + 0.1 * p.z(); };
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, length);
-  const Remesh made = remesh(mesh, options_with(sizing));
+  const Remesh made = remesh(mesh, options_with(sizing), reference_runtime());
   EXPECT_TRUE(made.has_input_topology());
   EXPECT_NEAR(made.feature_length(), 12, 1e-9);
   expect_follows(sorted_ratios(made.mesh, length));
@@ -180,27 +180,27 @@ TEST(Sizing, OfDensitiesIsThatOfLengths) {
   for (const double length : by_length.edge_lengths) {
     by_density.densities.push_back(3 / (3 * length * length * length * length));
   }
-  EXPECT_EQ(remesh(mesh, options_with(by_density, 200)).fingerprint,
-            remesh(mesh, options_with(by_length, 200)).fingerprint);
+  EXPECT_EQ(remesh(mesh, options_with(by_density, 200), reference_runtime()).fingerprint,
+            remesh(mesh, options_with(by_length, 200), reference_runtime()).fingerprint);
 }
 
 TEST(Sizing, OfOneLengthIsEven) {
   const Mesh mesh = icosphere(5000);
   SizingOptions sizing;
   sizing.edge_lengths = at_vertices(mesh, [](const Vec3&) { return 7.0; });
-  const Remesh made = remesh(mesh, options_with(sizing, 300));
+  const Remesh made = remesh(mesh, options_with(sizing, 300), reference_runtime());
   EXPECT_EQ(made.mesh.vertex_count(), 300U);
   EXPECT_LE(made.energy / made.energy_of_hexagonal_tiling, 1.02);
   RemeshOptions even;
   even.vertex_count = 300;
-  EXPECT_TRUE(remesh(mesh, even).edge_lengths.empty());
+  EXPECT_TRUE(remesh(mesh, even, reference_runtime()).edge_lengths.empty());
 }
 
 TEST(Sizing, AdaptsNothingWhereCurvatureIsTheSame) {
   for (const Mesh& mesh : {icosphere(8000), irregular_plane(5000, 1), sharp_prism(4)}) {
     SizingOptions sizing;
     sizing.adapt = 1;
-    const Remesh made = remesh(mesh, options_with(sizing, 200));
+    const Remesh made = remesh(mesh, options_with(sizing, 200), reference_runtime());
     const auto [least, most] =
         std::minmax_element(made.edge_lengths.begin(), made.edge_lengths.end());
     EXPECT_LE(*most, 1.1 * *least) << mesh.vertex_count();
@@ -213,7 +213,7 @@ TEST(Sizing, AdaptsToAnEllipsoid) {
   for (Vec3& p : mesh.positions) p.x() *= 4;
   SizingOptions sizing;
   sizing.adapt = 1;
-  const Remesh made = remesh(mesh, options_with(sizing, 400));
+  const Remesh made = remesh(mesh, options_with(sizing, 400), reference_runtime());
   double at_tip = 0;
   double at_waist = 0;
   double tips = 0;
@@ -259,7 +259,7 @@ TEST(Sizing, RefusesWhatIsNoSize) {
   const Mesh mesh = icosphere(80);
   const auto refused = [&](const SizingOptions& sizing, const std::string& what) {
     try {
-      remesh(mesh, options_with(sizing, 20));
+      remesh(mesh, options_with(sizing, 20), reference_runtime());
     } catch (const InvalidInput& error) {
       EXPECT_EQ(std::string(error.what()).find(what), 0U) << error.what();
       return true;
@@ -285,7 +285,7 @@ TEST(Sizing, RefusesWhatIsNoSize) {
   for (const double bad : {1.0, -1.0, std::nan("")}) {
     EXPECT_TRUE(refused({{}, {}, 1, bad}, "growth: "));
   }
-  EXPECT_THROW(remesh(mesh, options_with({{}, {}, 1, 1.3})), InvalidInput);
+  EXPECT_THROW(remesh(mesh, options_with({{}, {}, 1, 1.3}), reference_runtime()), InvalidInput);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
   RemeshOptions options;
   options.vertex_count = vertices;
   options.fit = fit;
-  return remesh(mesh, options);
+  return remesh(mesh, options, reference_runtime());
 }
 
 double volume_of(const Mesh& mesh) {

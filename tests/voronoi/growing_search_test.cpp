@@ -7,7 +7,7 @@
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/support/random_graph.h"
 
 namespace geolloyd {
@@ -37,7 +37,7 @@ TEST(GrowingSearch, InParallelChoosesTheSameSeeds) {
     const auto expected = choose_seeds(made.graph, components, init, 300, 5);
     for (const std::size_t threads : {1U, 2U, 8U}) {
       Scheduler scheduler(threads);
-      SchedulerRuntime runtime(scheduler);
+      Threads runtime(scheduler);
       ASSERT_EQ(choose_seeds(made.graph, components, init, 300, 5, runtime), expected);
     }
   }

@@ -14,7 +14,7 @@
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
 #include "parallel/engine/parallel_engine.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "parallel/threads/scheduler.h"
 #include "tests/support/counted_new.h"
 
 #if GEOLLOYD_CALLGRIND
@@ -88,7 +88,7 @@ void choose_farthest(Scheduler& scheduler, const Graph& graph, const Components&
     return 0;
   });
   measure("farthest_seeds/parallel", [&] {
-    SchedulerRuntime runtime(scheduler);
+    Threads runtime(scheduler);
     choose_seeds(graph, components, SeedInit::farthest, many_seeds, 1, runtime);
     return 0;
   });

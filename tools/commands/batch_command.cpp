@@ -74,12 +74,13 @@ class Batches {
         ladder_(std::move(ladder)),
         loaded_(loaded),
         scheduler_(scheduler),
+        threads_(scheduler),
         progress_(progress) {
     check_ladder();
     progress_.stage("choosing seeds");
     const Mesh& mesh = loaded_.input.mesh();
     starts_ = choose_first_seeds(arguments_.start.seeds, ladder_, arguments_.batches, mesh,
-                                 loaded_.edges, scheduler_);
+                                 loaded_.edges, threads_);
   }
 
   /// Calls `save` with all rows so far after each graph and number of seeds.
@@ -91,7 +92,7 @@ class Batches {
       as_asked.kind = graph;
       // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
       const Purpose purpose{arguments_.engine.kind, false, {}, {}, false};
-      const BuiltGraph built = build_graph(as_asked, loaded_, purpose, scheduler_);
+      const BuiltGraph built = build_graph(as_asked, loaded_, purpose, threads_.executor());
       const MeshGraph& mesh_graph = built.mesh_graph;
       bytes_of_run_ = built.memory_estimate;
       for (const std::size_t k : ladder_) {
@@ -160,8 +161,8 @@ class Batches {
   MeasuredRun run_one(const Configuration& c, const Graph& graph, const std::vector<NodeId>& first,
                       Scheduler& scheduler, const ProgressCallback& observer) const {
     const EngineArguments& engine = arguments_.engine;
-    return measure_run(engine.kind, engine.frontier, scheduler, graph, first,
-                       options_of(arguments_.limits, c), observer);
+    return measure_run(graph, first, options_of(arguments_.limits, c), observer,
+                       *make_runtime(engine.kind, engine.frontier, scheduler));
   }
 
   static void add(BatchRow& row, const MeasuredRun& run) {
@@ -178,6 +179,7 @@ class Batches {
   std::vector<std::size_t> ladder_;
   const LoadedInput& loaded_;
   Scheduler& scheduler_;
+  Threads threads_;  // the same
   ProgressLine& progress_;
   std::vector<FirstSeeds> starts_;
   std::uint64_t bytes_of_run_ = 0;  // at most

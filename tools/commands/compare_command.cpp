@@ -92,8 +92,8 @@ void run_compare(CompareArguments& arguments) {
   check_same_course(arguments.relaxation);
   ProgressLine progress;
   const Start start = [&] {
-    Scheduler scheduler;
-    return prepare(arguments.start, {}, scheduler, progress);
+    Threads threads;
+    return prepare(arguments.start, {}, threads, progress);
   }();
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments.output, "compare", arguments.start);

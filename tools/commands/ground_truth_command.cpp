@@ -27,16 +27,16 @@ void run_ground_truth(const GroundTruthArguments& a) {
   check_seeds(a.start.seeds);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
+  Threads threads(scheduler, a.engine.frontier);
   Purpose purpose;
   purpose.has_ground_truth = true;
-  const Start start = prepare(a.start, purpose, scheduler, progress);
+  const Start start = prepare(a.start, purpose, threads, progress);
   catch_interrupts();  // before the folder appears
   prepare_ground_truth_output(a.output, a.start);
   progress.stage("partitioning");
   JudgedPartition judged;
   judged.threads = scheduler.threads();
-  judged.partition =
-      partition_seeds(start.mesh_graph.graph, start.seeds, a.engine.frontier, scheduler).partition;
+  judged.partition = partition_seeds(start.mesh_graph.graph, start.seeds, threads).partition;
   progress.stage("finding the ground truth");
   const Stopwatch watch;
   judged.truth = make_ground_truth(scheduler, start.input.mesh(), start.mesh_graph,

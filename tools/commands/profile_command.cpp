@@ -134,10 +134,11 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
   std::vector<EngineProfile> profiles;
   for (const EngineKind engine : arguments.engines) {
     progress.part(name_of(engine_names, engine) + ":");
+    const auto runtime = make_runtime(engine, arguments.engine.frontier, scheduler);
     MeasuredRun measured =
-        measure_run(engine, arguments.engine.frontier, scheduler, start.mesh_graph.graph,
-                    start.seeds, relaxation_options(arguments.start.seeds, arguments.relaxation),
-                    watcher(progress, start.seeds.size()));
+        measure_run(start.mesh_graph.graph, start.seeds,
+                    relaxation_options(arguments.start.seeds, arguments.relaxation),
+                    watcher(progress, start.seeds.size()), *runtime);
     const std::size_t threads = engine == EngineKind::reference ? 1 : scheduler.threads();
     profiles.push_back({engine, threads, std::move(measured)});
     if (interrupted()) break;
@@ -151,7 +152,8 @@ void run_profile(ProfileArguments& arguments) {
   check_same_course(arguments.relaxation);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
-  const Start start = prepare(arguments.start, {}, scheduler, progress);
+  Threads threads(scheduler);
+  const Start start = prepare(arguments.start, {}, threads, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments.output, "profile", arguments.start);
   const auto profiles = profile_engines(arguments, start, scheduler, progress);

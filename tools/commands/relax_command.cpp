@@ -21,6 +21,7 @@
 #include "tools/report/report_parts.h"
 #include "tools/report/vtp_output.h"
 #include "tools/run/attribute_transfer.h"
+#include "tools/run/measured_run.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
 #include "tools/run/stages.h"
@@ -192,7 +193,7 @@ Purpose purpose_of(const RelaxArguments& arguments) {
 
 // All that follows the relaxation.
 Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxation& ended,
-             Cost& cost, Scheduler& scheduler, ProgressLine& progress) {
+             Cost& cost, Executor& executor, ProgressLine& progress) {
   Result result;
   result.relaxation = std::move(ended.relaxation);
   result.threads = ended.threads;
@@ -201,8 +202,8 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
   if (arguments.ground_truth) {
     progress.stage("finding the ground truth");
     const Stopwatch watch;
-    result.ground_truth = make_ground_truth(scheduler, mesh, start.mesh_graph, relaxation.partition,
-                                            relaxation.seeds);
+    result.ground_truth =
+        make_ground_truth(executor, mesh, start.mesh_graph, relaxation.partition, relaxation.seeds);
     cost.ground_truth_seconds = watch.seconds();
   }
   if (!arguments.makes_dual()) return result;
@@ -210,13 +211,13 @@ Result judge(const RelaxArguments& arguments, const Start& start, EndedRelaxatio
   const Stopwatch watch;
   result.dual =
       make_graph_dual({mesh, start.mesh_graph, relaxation.seeds, relaxation.partition,
-                       *ended.engine, scheduler, start.surface ? &*start.surface : nullptr},
-                      {arguments.dual.manifold, arguments.dual.vertices}, scheduler);
+                       *ended.engine, executor, start.surface ? &*start.surface : nullptr},
+                      {arguments.dual.manifold, arguments.dual.vertices}, executor);
   result.dual_properties = transfer_properties(mesh, start.input.loaded.properties,
-                                               start.mesh_graph, *result.dual, scheduler);
+                                               start.mesh_graph, *result.dual, executor);
   if (arguments.dual.quads) {
     const Mesh& dual = result.dual->mesh;
-    result.quads = pair_triangles(dual, find_edges(dual, scheduler));
+    result.quads = pair_triangles(dual, find_edges(dual, executor));
   }
   cost.dual_seconds = watch.seconds();
   return result;
@@ -240,17 +241,19 @@ void run_relax(const RelaxArguments& arguments) {
   const Stopwatch total;
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(arguments.threads);
+  Threads threads(scheduler, arguments.engine.frontier);
+  const auto chosen = make_runtime(arguments.engine.kind, arguments.engine.frontier, scheduler);
   StartArguments wanted = arguments.start;
   wanted.has_properties =
       wanted.has_properties && (arguments.makes_dual() || !arguments.vtp_file.empty() ||
                                 arguments.writes(RelaxOutput::tessellation));
-  const Start start = prepare(wanted, purpose_of(arguments), scheduler, progress);
+  const Start start = prepare(wanted, purpose_of(arguments), threads, progress);
   warn_of_few_nodes(start, progress);
   ResumableRelaxation relaxation(arguments, start);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments);
   check_checkpoint(arguments);  // another run may have made the folder meanwhile
-  EndedRelaxation ended = relaxation.relax(scheduler, progress);
+  EndedRelaxation ended = relaxation.relax(*chosen, progress);
   Cost cost;
   cost.relax_seconds = ended.seconds;
   Result result = judge(arguments, start, ended, cost, scheduler, progress);
@@ -287,7 +290,7 @@ void run_relax(const RelaxArguments& arguments) {
   if (!arguments.page_file.empty()) {
     progress.stage("writing " + arguments.page_file.string());
     page = write_page(arguments.page_file,
-                      relax_contents(arguments, start, result, ended.course, scheduler));
+                      relax_contents(arguments, start, result, ended.course, threads));
   }
   progress.clear();
   if (wants_json()) print_json(report_text(arguments, start, result, cost));

@@ -56,7 +56,10 @@ bool shows_colours(const std::vector<Panel>& panels) {
 class Renderer {
  public:
   Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels)
-      : arguments_(arguments), panels_(panels), scheduler_(make_scheduler(arguments.threads)) {}
+      : arguments_(arguments),
+        panels_(panels),
+        scheduler_(make_scheduler(arguments.threads)),
+        threads_(scheduler_, arguments.engine.frontier) {}
 
   void render() {
     const PictureArguments& look = arguments_.picture;
@@ -133,9 +136,9 @@ class Renderer {
     purpose.has_ground_truth =
         any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
         arguments_.dual.vertices == DualVertices::centroids;
-    start_ = prepare(arguments_.start, purpose, scheduler_, progress_);
+    start_ = prepare(arguments_.start, purpose, threads_, progress_);
     const Graph& graph = start_.mesh_graph.graph;
-    found_ = partition_seeds(graph, start_.seeds, arguments_.engine.frontier, scheduler_);
+    found_ = partition_seeds(graph, start_.seeds, threads_);
     colours_ = colours_of_regions(graph, found_.partition, start_.seeds.size());
   }
 
@@ -189,6 +192,7 @@ class Renderer {
   const RenderArguments& arguments_;
   const std::vector<Panel>& panels_;
   Scheduler scheduler_;
+  Threads threads_;  // the same
   ProgressLine progress_;
   Start start_;  // the input alone where no panel needs more
   EnginePartition found_;

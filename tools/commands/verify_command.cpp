@@ -9,10 +9,8 @@
 
 #include "core/base/stopwatch.h"
 #include "core/lloyd/paired_engine.h"
-#include "core/lloyd/reference_engine.h"
 #include "core/surface/cells/paired_surface_engine.h"
 #include "geolloyd/errors.h"
-#include "parallel/engine/parallel_engine.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -133,11 +131,12 @@ void verify_relaxation(const VerifyArguments& a) {
   check_seeds(a.start.seeds);
   ProgressLine progress;
   Scheduler scheduler = make_scheduler(a.threads);
-  const Start start = prepare(a.start, {}, scheduler, progress);
+  Threads threads(scheduler, a.engine.frontier);
+  const Start start = prepare(a.start, {}, threads, progress);
   catch_interrupts();
   const Graph& graph = start.mesh_graph.graph;
-  const auto reference = make_reference_engine(graph);
-  const auto parallel = make_parallel_engine(scheduler, graph, a.engine.frontier);
+  const auto reference = reference_runtime().make_engine(graph);
+  const auto parallel = threads.make_engine(graph);
   PairedEngine pair(*reference, *parallel);
   Relaxation relaxation;
   try {

@@ -49,12 +49,13 @@ void run_view(const ViewArguments& arguments) {
   const StartArguments& start = arguments.start;
   prepare_saving(arguments.output, start.files());
   Scheduler scheduler = make_scheduler(arguments.threads);
+  Threads threads(scheduler);
   ProgressLine progress;
   progress.stage("reading " + start.mesh.string());
   LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties});
   progress.stage("building the graph and choosing seeds");
   SessionModel model(std::move(loaded), {start.graph, start.seeds, arguments.greedy},
-                     arguments.output, scheduler);
+                     arguments.output, threads);
   progress.clear();
   catch_interrupts();
   HttpServerOptions options;

@@ -56,8 +56,9 @@ Comparison compare(std::vector<Contender> contenders, std::size_t turns, const G
       progress.part(fmt::format("{}, turn {} of {}:", title_of(c), turn, turns));
       make_room_for_threads(c.threads);
       Scheduler scheduler(c.threads, c.backend);
-      const MeasuredRun measured = measure_run(c.engine, c.frontier, scheduler, graph, seeds,
-                                               options, watcher(progress, seeds.size()));
+      const auto runtime = make_runtime(c.engine, c.frontier, scheduler);
+      const MeasuredRun measured =
+          measure_run(graph, seeds, options, watcher(progress, seeds.size()), *runtime);
       if (measured.relaxation.stop_reason == StopReason::interrupted) break;
       if (contenders.front().seconds.empty()) comparison.steps = count_steps(measured.relaxation);
       note(measured, c, contenders.front().fingerprint);

@@ -9,7 +9,6 @@
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
-#include "parallel/library/scheduler_runtime.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -31,8 +30,8 @@ void check_count(std::size_t seeds, std::size_t triangles, std::size_t component
 
 // Before any work: are there enough vertices everywhere?
 void check_vertices(const std::vector<FirstSeeds>& all, const Mesh& mesh, const MeshEdges& edges,
-                    Scheduler& scheduler) {
-  const MeshGraph made = make_mesh_graph(mesh, edges, {}, scheduler);
+                    Executor& executor) {
+  const MeshGraph made = make_mesh_graph(mesh, edges, {}, executor);
   for (const FirstSeeds& first : all) seeds_at_triangles(mesh, made, first.places);
 }
 
@@ -41,13 +40,12 @@ void check_vertices(const std::vector<FirstSeeds>& all, const Mesh& mesh, const 
 std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
                                            const std::vector<std::size_t>& counts,
                                            std::size_t batches, const Mesh& mesh,
-                                           const MeshEdges& edges, Scheduler& scheduler) {
+                                           const MeshEdges& edges, Runtime& runtime) {
   std::vector<FirstSeeds> all;
   MeshGraphOptions options;
   options.kind = GraphKind::triangle;
-  const MeshGraph made = make_mesh_graph(mesh, edges, options, scheduler);
+  const MeshGraph made = make_mesh_graph(mesh, edges, options, runtime.executor());
   const Components components = connected_components(made.graph);
-  SchedulerRuntime runtime(scheduler);
   for (const std::size_t count : counts) {
     check_count(count, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= batches; ++batch) {
@@ -61,7 +59,7 @@ std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
       all.push_back(std::move(first));
     }
   }
-  check_vertices(all, mesh, edges, scheduler);
+  check_vertices(all, mesh, edges, runtime.executor());
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_edges.h"
-#include "parallel/threads/scheduler.h"
+#include "geolloyd/runtime.h"
 #include "tools/cli/relax_arguments.h"
 
 namespace geolloyd {
@@ -21,6 +21,6 @@ struct FirstSeeds {
 std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
                                            const std::vector<std::size_t>& counts,
                                            std::size_t batches, const Mesh& mesh,
-                                           const MeshEdges& edges, Scheduler& scheduler);
+                                           const MeshEdges& edges, Runtime& runtime);
 
 }  // namespace geolloyd

@@ -141,14 +141,14 @@ std::vector<std::string> ResultFiles::commit() {
 }
 
 void write_results(const Start& start, const Result& result, ResultFiles& files,
-                   Scheduler& scheduler) {
+                   Executor& executor) {
   const MeshGraph& mesh_graph = start.mesh_graph;
   const Partition& partition = result.relaxation.partition;
   const auto write_if_wanted = [&](RelaxOutput output, auto&& write) {
     if (FileWriter* const file = files.find(output)) write(*file);
   };
   parallel_invoke(
-      scheduler,
+      executor,
       [&] {
         write_if_wanted(RelaxOutput::tessellation, [&](FileWriter& file) {
           const std::vector<Label> label =
@@ -175,14 +175,14 @@ void write_results(const Start& start, const Result& result, ResultFiles& files,
 }
 
 void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
-                   const Start& start, const Relaxation& relaxation, Scheduler& scheduler) {
-  const Picture picture(start.input.mesh(), arguments.view, arguments.size, 1, false, scheduler);
+                   const Start& start, const Relaxation& relaxation, Executor& executor) {
+  const Picture picture(start.input.mesh(), arguments.view, arguments.size, 1, false, executor);
   const std::vector<Colour> colours =
       colours_of_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds.size());
   const Canvas canvas =
       paint_regions({start.mesh_graph, relaxation.partition, relaxation.seeds, colours},
-                    picture.scene(), scheduler);
-  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
+                    picture.scene(), executor);
+  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, executor), ""}}};
   picture.write(path, panels);
 }
 

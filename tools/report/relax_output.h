@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "parallel/threads/scheduler.h"
+#include "core/base/executor.h"
 #include "tools/files/file_group.h"
 #include "tools/run/result.h"
 
@@ -40,10 +40,10 @@ class ResultFiles {
 /// added seeds last.
 /// Writes those of them that are wanted.
 void write_results(const Start& start, const Result& result, ResultFiles& files,
-                   Scheduler& scheduler);
+                   Executor& executor);
 
 /// The regions, in the colours of tessellation.ply.
 void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
-                   const Start& start, const Relaxation& relaxation, Scheduler& scheduler);
+                   const Start& start, const Relaxation& relaxation, Executor& executor);
 
 }  // namespace geolloyd

@@ -6,13 +6,13 @@
 namespace geolloyd {
 
 GraphDual make_graph_dual(const GraphDualInput& input, const DualRequest& request,
-                          Scheduler& scheduler) {
+                          Executor& executor) {
   GraphDualOptions options;
   options.manifold = request.manifold;
   options.keep_going = [] { return !interrupted(); };
   if (request.vertices == DualVertices::centroids) {
     options.sites = [&](const std::vector<NodeId>& seeds, const Partition& partition) {
-      return make_ground_truth(scheduler, input.mesh, input.mesh_graph, partition, seeds)
+      return make_ground_truth(executor, input.mesh, input.mesh_graph, partition, seeds)
           .surface_centroid;
     };
   }

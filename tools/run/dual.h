@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/executor.h"
 #include "core/regions/graph_dual.h"
-#include "parallel/threads/scheduler.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
@@ -14,6 +14,6 @@ struct DualRequest {
 
 /// An interrupt (interrupt.h) ends the adding of seeds.
 GraphDual make_graph_dual(const GraphDualInput& input, const DualRequest& request,
-                          Scheduler& scheduler);
+                          Executor& executor);
 
 }  // namespace geolloyd

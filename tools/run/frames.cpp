@@ -51,13 +51,13 @@ void prepare_frames(const RelaxArguments& arguments) {
 }
 
 FramesEngine::FramesEngine(Engine& engine, const RelaxArguments& arguments, const Start& start,
-                           Scheduler& scheduler, std::span<const Step> steps)
+                           Executor& executor, std::span<const Step> steps)
     : engine_(engine),
       folder_(arguments.frames),
       mesh_graph_(start.mesh_graph),
-      scheduler_(scheduler),
+      executor_(executor),
       picture_(start.input.mesh(), arguments.picture.view, arguments.picture.size, 1, true,
-               scheduler),
+               executor),
       frames_(static_cast<std::uint32_t>(steps.size())),
       greedy_frames_(static_cast<std::uint32_t>(
           std::count_if(steps.begin(), steps.end(),
@@ -87,9 +87,9 @@ void FramesEngine::draw(std::span<const NodeId> seeds, Phase phase) {
   const std::string caption =
       fmt::format("{} step {}, energy {:.5g}", name_of(phase_names, phase), step + 1, energy);
   const Canvas canvas =
-      paint_regions({mesh_graph_, current(), seeds, colours_}, picture_.scene(), scheduler_);
+      paint_regions({mesh_graph_, current(), seeds, colours_}, picture_.scene(), executor_);
   const std::array<PanelImage, 1> panels = {
-      {{to_pixels(picture_.scene(), canvas, scheduler_), caption}}};
+      {{to_pixels(picture_.scene(), canvas, executor_), caption}}};
   picture_.write(folder_ / frame_name(frames_, phase), panels);
   ++frames_;
 }

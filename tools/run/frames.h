@@ -23,7 +23,7 @@ class FramesEngine final : public Engine {
  public:
   /// Of a relaxation after `steps`. All but these must live on.
   FramesEngine(Engine& engine, const RelaxArguments& arguments, const Start& start,
-               Scheduler& scheduler, std::span<const Step> steps);
+               Executor& executor, std::span<const Step> steps);
 
   void partition(std::span<const NodeId> seeds) override { engine_.partition(seeds); }
   [[nodiscard]] std::span<const Score> region_scores() const override {
@@ -44,7 +44,7 @@ class FramesEngine final : public Engine {
   Engine& engine_;
   const std::filesystem::path& folder_;
   const MeshGraph& mesh_graph_;
-  Scheduler& scheduler_;
+  Executor& executor_;
   Picture picture_;
   std::vector<Colour> colours_;
   std::uint32_t frames_;

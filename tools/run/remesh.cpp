@@ -33,7 +33,7 @@ namespace {
 // How many vertices the surface on which sites move has, about: edges that are longer are halved
 // again and again (core/surface/substrate/split_edges.h).
 std::uint64_t estimate_fine_vertices(const Mesh& mesh, const MeshEdges& edges, double longest,
-                                     Scheduler& scheduler) {
+                                     Executor& scheduler) {
   const auto pieces = [&](VertexId a, VertexId b) {
     const double length = norm(mesh.positions[a] - mesh.positions[b]);
     double count = 1;
@@ -75,7 +75,7 @@ bool varies(const RemeshOptions& options) {
 // asked where it makes a difference.
 std::uint64_t estimate_fine_vertices(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
-                                     Scheduler& scheduler) {
+                                     Executor& scheduler) {
   const double area = input.facts.area;
   const double root = std::sqrt(area / static_cast<double>(vertices));
   const double spacing = spacing_of(area, static_cast<double>(vertices));
@@ -200,7 +200,7 @@ std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& optio
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
                                      const std::optional<PictureArguments>& picture,
-                                     Scheduler& scheduler) {
+                                     Executor& scheduler) {
   const Mesh& mesh = input.mesh();
   RemeshSize size;
   size.vertices = mesh.vertex_count();

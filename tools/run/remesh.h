@@ -40,7 +40,7 @@ std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& optio
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
                                      const std::optional<PictureArguments>& picture,
-                                     Scheduler& scheduler);
+                                     Executor& executor);
 
 /// A surface remesh, and how long its parts took.
 struct TimedRemesh {

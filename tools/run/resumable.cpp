@@ -10,7 +10,6 @@
 #include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/run/frames.h"
-#include "tools/run/measured_run.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/names.h"
 
@@ -30,16 +29,16 @@ ResumableRelaxation::ResumableRelaxation(const RelaxArguments& arguments, const 
   }
 }
 
-EndedRelaxation ResumableRelaxation::relax(Scheduler& scheduler, ProgressLine& progress) {
+EndedRelaxation ResumableRelaxation::relax(Runtime& runtime, ProgressLine& progress) {
   watch_ = since_saved_ = Stopwatch();
   const Graph& graph = start_.mesh_graph.graph;
-  const EngineKind kind = arguments_.engine.kind;
   EndedRelaxation ended;
-  ended.threads = kind == EngineKind::reference ? 1 : scheduler.threads();
-  ended.engine = make_engine(kind, arguments_.engine.frontier, scheduler, graph);
+  ended.threads =
+      arguments_.engine.kind == EngineKind::reference ? 1 : runtime.executor().threads();
+  ended.engine = runtime.make_engine(graph);
   std::optional<FramesEngine> frames;
   if (!arguments_.frames.empty()) {
-    frames.emplace(*ended.engine, arguments_, start_, scheduler, state_.steps);
+    frames.emplace(*ended.engine, arguments_, start_, runtime.executor(), state_.steps);
   }
   const bool keeps_course = !arguments_.page_file.empty();
   const std::size_t earlier_steps = state_.steps.size();

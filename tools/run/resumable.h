@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "parallel/threads/scheduler.h"
+#include "geolloyd/runtime.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/run/checkpoint.h"
 #include "tools/run/stages.h"
@@ -40,7 +40,7 @@ class ResumableRelaxation {
   [[nodiscard]] const std::optional<EarlierPart>& resumed() const { return resumed_; }
 
   /// Goes on until the relaxation ends or an interrupt comes.
-  EndedRelaxation relax(Scheduler& scheduler, ProgressLine& progress);
+  EndedRelaxation relax(Runtime& runtime, ProgressLine& progress);
 
   /// Writes a checkpoint of the last boundary between two steps. Where it cannot, that is said, and
   /// no reason to lose the work: returns false.

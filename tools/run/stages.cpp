@@ -16,9 +16,7 @@
 #include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
-#include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
-#include "tools/run/measured_run.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -36,19 +34,18 @@ MeshGraphOptions graph_options(const GraphArguments& arguments, const LoadedInpu
 // too: to find them again takes a twentieth of the time.
 std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
                                          const MeshGraphOptions& graph, MeshEdges& edges,
-                                         Start& start, Scheduler& scheduler) {
+                                         Start& start, Runtime& runtime) {
   const Mesh& mesh = start.input.mesh();
-  const std::size_t nodes = count_nodes(mesh, graph.kind, scheduler);
+  const std::size_t nodes = count_nodes(mesh, graph.kind, runtime.executor());
   const FirstSeedOptions options{arguments.init, arguments.count, arguments.random_seed,
                                  graph.vertex_space};
   if (!arguments.file.empty() || !has_first_places(nodes, options)) return {};
   const Stopwatch watch;
   edges = {{}, {}, {}, std::move(edges.duplicates)};
-  SchedulerRuntime runtime(scheduler);
   std::vector<SeedPlace> places =
       find_first_places(mesh, edges.duplicates, nodes, options, runtime);
   start.seconds.seeds = watch.seconds();
-  edges = find_edges(mesh, scheduler);
+  edges = find_edges(mesh, runtime.executor());
   return places;
 }
 
@@ -56,9 +53,8 @@ std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
 GivenSeeds first_seeds(const SeedArguments& arguments, const std::optional<SeedSource>& source,
                        const Start& start, std::span<const SeedPlace> places,
                        std::span<const TangentSpace> field, const Components& components,
-                       Scheduler& scheduler) {
+                       Runtime& runtime) {
   if (source) return source->find(start.mesh_graph, components);
-  SchedulerRuntime runtime(scheduler);
   return {
       choose_first_seeds(start.input.mesh(), places, start.mesh_graph, components,
                          {arguments.init, arguments.count, arguments.random_seed, field}, runtime),
@@ -74,7 +70,7 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
 
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
-                              Scheduler& scheduler) {
+                              Executor& executor) {
   const Mesh& mesh = input.mesh();
   const GraphKind kind = arguments.kind;
   RunSize size;
@@ -84,10 +80,10 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& inpu
   size.nodes =
       (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
   size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_arcs(mesh, edges, kind, scheduler);
+  size.links = count_arcs(mesh, edges, kind, executor);
   check_arc_count(size.links);
   size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
-  size.threads = scheduler.threads();
+  size.threads = executor.threads();
   size.has_field = !arguments.vfield.empty();
   size.has_curvature_field = arguments.has_curvature_field();
   size.has_cross_field = arguments.has_cross_field();
@@ -103,7 +99,7 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& inpu
     size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
   }
   if (purpose.picture) {
-    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
+    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, executor);
   }
   return memory_to_run(size);
 }
@@ -117,45 +113,45 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 }
 
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler) {
+                       const Purpose& purpose, Executor& executor) {
   const std::uint64_t estimate =
-      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, scheduler);
+      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, executor);
   announce_memory(loaded.input.file.string(), estimate);
   return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
-                          graph_options(arguments, loaded, scheduler), scheduler),
+                          graph_options(arguments, loaded, executor), executor),
           estimate};
 }
 
 // What takes memory gives it back as soon as nothing needs it: most of the edges before the places
 // of seeds are found, and these before there is a graph.
-Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, Purpose purpose, Runtime& runtime,
               ProgressLine& progress) {
   const SeedArguments& seeds = arguments.seeds;
   const GraphKind kind = arguments.graph.kind;
   if (seeds.file.empty()) purpose.init = seeds.init;
   Start start;
+  Executor& executor = runtime.executor();
   progress.stage("reading " + arguments.mesh.string());
   LoadedInput loaded =
-      load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
+      load_input(arguments.mesh, executor, {arguments.has_properties}, arguments.repair);
   std::optional<SeedSource> source;
   if (!seeds.file.empty()) source.emplace(seeds);
-  start.memory_estimate =
-      estimate_memory(arguments.graph, loaded.input, loaded.edges,
-                      source ? source->most() : seeds.count, purpose, scheduler);
+  start.memory_estimate = estimate_memory(arguments.graph, loaded.input, loaded.edges,
+                                          source ? source->most() : seeds.count, purpose, executor);
   announce_memory(loaded.input.file.string(), start.memory_estimate);
 
   progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
   const Stopwatch whole;
   if (purpose.has_dual && !has_triangles(kind)) {
-    start.surface = {find_topology(loaded.input.mesh(), loaded.edges, scheduler),
+    start.surface = {find_topology(loaded.input.mesh(), loaded.edges, executor),
                      irregular_edges(loaded.edges)};
   }
-  MeshGraphOptions options = graph_options(arguments.graph, loaded, scheduler);
+  MeshGraphOptions options = graph_options(arguments.graph, loaded, executor);
   start.input = std::move(loaded.input);
   MeshEdges edges = std::move(loaded.edges);
-  const std::vector<SeedPlace> places = find_first_places(seeds, options, edges, start, scheduler);
+  const std::vector<SeedPlace> places = find_first_places(seeds, options, edges, start, runtime);
   keep_for_arcs(edges, kind);
-  start.mesh_graph = make_mesh_graph(start.input.mesh(), std::move(edges), options, scheduler);
+  start.mesh_graph = make_mesh_graph(start.input.mesh(), std::move(edges), options, executor);
   start.seconds.load = loaded.seconds;
   start.seconds.graph = loaded.edge_seconds + whole.seconds() - start.seconds.seeds;
 
@@ -164,7 +160,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   const Components components = connected_components(start.mesh_graph.graph);
   start.components = components.size();
   GivenSeeds given =
-      first_seeds(seeds, source, start, places, options.vertex_space, components, scheduler);
+      first_seeds(seeds, source, start, places, options.vertex_space, components, runtime);
   start.seeds = std::move(given.nodes);
   start.seed_fit = given.fit;
   start.seconds.seeds += choosing.seconds();
@@ -172,8 +168,8 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
 }
 
 EnginePartition partition_seeds(const Graph& graph, std::span<const NodeId> seeds,
-                                Frontier frontier, Scheduler& scheduler) {
-  auto engine = make_engine(EngineKind::parallel, frontier, scheduler, graph);
+                                Runtime& runtime) {
+  auto engine = runtime.make_engine(graph);
   engine->partition(seeds);
   Partition partition = engine->current();
   return {std::move(engine), std::move(partition)};

@@ -10,6 +10,7 @@
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/engine.h"
 #include "core/regions/graph_dual.h"
+#include "geolloyd/runtime.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/evaluation/ground_truth.h"
@@ -37,7 +38,7 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 /// Bytes that a run with so many seeds takes at most.
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
-                              Scheduler& scheduler);
+                              Executor& executor);
 
 struct BuiltGraph {
   MeshGraph mesh_graph;
@@ -47,7 +48,7 @@ struct BuiltGraph {
 /// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
 /// needs more memory than there is, whatever the number of seeds.
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler);
+                       const Purpose& purpose, Executor& executor);
 
 /// All that there is before a relaxation begins.
 struct Start {
@@ -70,16 +71,16 @@ struct Start {
 
 /// Reads the mesh, builds its graph, and chooses or reads the first seeds. Throws InvalidInput
 /// where the whole run needs more memory than there is.
-Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, Purpose purpose, Runtime& runtime,
               ProgressLine& progress);
 
-/// A partition and the parallel engine that has just found it.
+/// A partition and the engine that has just found it.
 struct EnginePartition {
   std::unique_ptr<Engine> engine;
   Partition partition;
 };
 
 EnginePartition partition_seeds(const Graph& graph, std::span<const NodeId> seeds,
-                                Frontier frontier, Scheduler& scheduler);
+                                Runtime& runtime);
 
 }  // namespace geolloyd

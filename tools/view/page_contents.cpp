@@ -21,9 +21,9 @@ void add_fact(Bundle& bundle, const char* name, const std::string& text) {
 }
 
 void add_field_of(const FieldArguments& arguments, const Mesh& mesh, Bundle& bundle,
-                  Scheduler& scheduler) {
+                  Executor& executor) {
   if (arguments.vfield.empty()) return;
-  add_field(bundle, find_field(arguments, mesh, find_edges(mesh, scheduler), scheduler));
+  add_field(bundle, find_field(arguments, mesh, find_edges(mesh, executor), executor));
 }
 
 // Steps are numbered within their phase, from 1.
@@ -39,14 +39,13 @@ std::vector<std::string> labels_of(std::span<const Step> steps) {
 }
 
 // The start of each step, and the result, whose arrays are there.
-void add_frames(const RelaxArguments& arguments, const Start& start, const Relaxation& relaxation,
-                std::span<const std::vector<NodeId>> course, Bundle& bundle, Scheduler& scheduler) {
+void add_frames(const Start& start, const Relaxation& relaxation,
+                std::span<const std::vector<NodeId>> course, Bundle& bundle, Runtime& runtime) {
   const std::span<const Step> steps = std::span(relaxation.steps).last(course.size());
   const std::vector<std::string> labels = labels_of(relaxation.steps);
   const std::size_t stride = (course.size() + most_frames - 1) / most_frames;
   for (std::size_t i = 0; i < course.size(); i += stride) {
-    const EnginePartition found =
-        partition_seeds(start.mesh_graph.graph, course[i], arguments.engine.frontier, scheduler);
+    const EnginePartition found = partition_seeds(start.mesh_graph.graph, course[i], runtime);
     add_frame(bundle, labels[labels.size() - course.size() + i], steps[i].energy, start.mesh_graph,
               found.partition, course[i]);
   }
@@ -73,16 +72,16 @@ Bundle bundle_of(const Input& input) {
 }
 
 Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const Result& result,
-                      std::span<const std::vector<NodeId>> course, Scheduler& scheduler) {
+                      std::span<const std::vector<NodeId>> course, Runtime& runtime) {
   const Relaxation& relaxation = result.relaxation;
   Bundle bundle = bundle_of(start.input);
   add_regions(bundle, start.mesh_graph, relaxation.partition, relaxation.seeds);
   add_region_figures(bundle, result.regions);
   add_trees(bundle, start.mesh_graph, relaxation.partition);
-  add_field_of(arguments.start.graph, start.input.mesh(), bundle, scheduler);
+  add_field_of(arguments.start.graph, start.input.mesh(), bundle, runtime.executor());
   if (result.ground_truth) add_truth(bundle, start.mesh_graph, *result.ground_truth);
   if (result.dual) add_remesh(bundle, result.dual->mesh);
-  add_frames(arguments, start, relaxation, course, bundle, scheduler);
+  add_frames(start, relaxation, course, bundle, runtime);
   add_fact(bundle, "graph", name_of(graph_kind_names, start.mesh_graph.kind));
   add_fact(bundle, "regions", grouped(relaxation.seeds.size()));
   add_fact(bundle, "steps", grouped(relaxation.steps.size()));
@@ -95,11 +94,11 @@ Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const
 }
 
 Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Scheduler& scheduler) {
+                       Executor& executor) {
   const Input& input = done.loaded.input;
   const Remesh& remesh = done.result.made.remesh;
   Bundle bundle = bundle_of(input);
-  add_field_of(arguments.field, input.mesh(), bundle, scheduler);
+  add_field_of(arguments.field, input.mesh(), bundle, executor);
   add_remesh(bundle, remesh.mesh);
   add_fact(bundle, "remesh", counted(remesh.mesh.vertex_count(), "vertex", "vertices"));
   add_fact(bundle, "", counted(remesh.mesh.triangle_count(), "triangle", "triangles"));

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "parallel/threads/scheduler.h"
+#include "geolloyd/runtime.h"
 #include "tools/run/remesh_run.h"
 #include "tools/run/result.h"
 #include "tools/run/stages.h"
@@ -23,10 +23,10 @@ inline constexpr std::size_t most_frames = 48;
 /// are any, and the frames of its course. `course`: the seeds at the start of each of the last
 /// steps.
 Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const Result& result,
-                      std::span<const std::vector<NodeId>> course, Scheduler& scheduler);
+                      std::span<const std::vector<NodeId>> course, Runtime& runtime);
 
 /// The mesh before and after `remesh`.
 Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Scheduler& scheduler);
+                       Executor& executor);
 
 }  // namespace geolloyd

@@ -49,13 +49,13 @@ RelaxArguments arguments_of(const std::filesystem::path& folder, const SteppedTe
 }
 
 GraphDual dual_of(SteppedTessellation& t, const std::vector<NodeId>& seeds,
-                  const Partition& partition, Scheduler& scheduler) {
+                  const Partition& partition, Executor& executor) {
   const Start& start = t.start();
   const InputSurface* const surface =
       has_triangles(start.mesh_graph.kind) ? nullptr : &*start.surface;
   GraphDual dual = make_graph_dual(
-      {start.input.mesh(), start.mesh_graph, seeds, partition, t.engine(), scheduler, surface},
-      DualRequest{}, scheduler);
+      {start.input.mesh(), start.mesh_graph, seeds, partition, t.engine(), executor, surface},
+      DualRequest{}, executor);
   t.restore_partition();
   return dual;
 }
@@ -67,9 +67,9 @@ void write_first_seeds(const std::filesystem::path& path, const Start& start) {
 }
 
 void write_remesh(const std::filesystem::path& path, const Start& start, const Remesh& remesh,
-                  Scheduler& scheduler) {
+                  Executor& executor) {
   Properties properties =
-      transfer_properties(start.input.mesh(), start.input.loaded.properties, remesh, scheduler);
+      transfer_properties(start.input.mesh(), start.input.loaded.properties, remesh, executor);
   keep_writable(path, properties);
   FileWriter file(path);
   write(file, remesh.mesh, properties);
@@ -77,22 +77,22 @@ void write_remesh(const std::filesystem::path& path, const Start& start, const R
 }
 
 std::string save_result(const std::filesystem::path& folder, SteppedTessellation& t,
-                        Scheduler& scheduler) {
+                        Executor& executor) {
   const Stopwatch watch;
   const Start& start = t.start();
   const RelaxArguments arguments = arguments_of(folder, t);
   Result result;
   result.relaxation = t.result();
-  result.threads = scheduler.threads();
+  result.threads = executor.threads();
   const Relaxation& relaxation = result.relaxation;
-  result.dual = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
+  result.dual = dual_of(t, relaxation.seeds, relaxation.partition, executor);
   result.dual_properties = transfer_properties(start.input.mesh(), start.input.loaded.properties,
-                                               start.mesh_graph, *result.dual, scheduler);
+                                               start.mesh_graph, *result.dual, executor);
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
   Cost cost;
   ResultFiles files(arguments);
-  write_results(start, result, files, scheduler);
+  write_results(start, result, files, executor);
   cost.write_seconds = cost.total_seconds = watch.seconds();
   cost.peak_memory_bytes = peak_memory_bytes();
   files.find(RelaxOutput::report)->text(report_text(arguments, start, result, cost));
@@ -105,18 +105,18 @@ std::string save_result(const std::filesystem::path& folder, SteppedTessellation
 
 // The regions as they are, and the surface remesh; where there is none, the dual.
 std::string save_page(const std::filesystem::path& folder, SteppedTessellation& t,
-                      const std::optional<SessionRemesh>& remesh, Scheduler& scheduler) {
+                      const std::optional<SessionRemesh>& remesh, Runtime& runtime) {
   const Start& start = t.start();
   Result result;
   result.relaxation = t.result();
   const Relaxation& relaxation = result.relaxation;
   const bool has_remesh = remesh && remesh->made;
   if (!has_remesh) {
-    result.dual = dual_of(t, relaxation.seeds, relaxation.partition, scheduler);
+    result.dual = dual_of(t, relaxation.seeds, relaxation.partition, runtime.executor());
   }
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
-  Bundle bundle = relax_contents(arguments_of(folder, t), start, result, {}, scheduler);
+  Bundle bundle = relax_contents(arguments_of(folder, t), start, result, {}, runtime);
   if (has_remesh) add_remesh(bundle, remesh->made->mesh);
   return write_page(folder / page_name, std::move(bundle));
 }
@@ -128,23 +128,23 @@ void prepare_saving(const std::filesystem::path& folder,
   if (!folder.empty()) prepare_folder(folder, saved_names, inputs);
 }
 
-GraphDual dual_of(SteppedTessellation& t, Scheduler& scheduler) {
+GraphDual dual_of(SteppedTessellation& t, Executor& executor) {
   const Partition partition = t.partition();
-  return dual_of(t, t.seeds(), partition, scheduler);
+  return dual_of(t, t.seeds(), partition, executor);
 }
 
 std::string save_into(const std::filesystem::path& folder, Saving what,
                       SteppedTessellation& tessellation, const std::optional<SessionRemesh>& remesh,
-                      Scheduler& scheduler) {
+                      Runtime& runtime) {
+  Executor& executor = runtime.executor();
   if (what == Saving::picture) {
-    write_picture(folder / picture_name, {}, tessellation.start(), tessellation.result(),
-                  scheduler);
+    write_picture(folder / picture_name, {}, tessellation.start(), tessellation.result(), executor);
     return picture_name;
   }
-  if (what == Saving::page) return save_page(folder, tessellation, remesh, scheduler);
-  std::string names = save_result(folder, tessellation, scheduler);
+  if (what == Saving::page) return save_page(folder, tessellation, remesh, runtime);
+  std::string names = save_result(folder, tessellation, executor);
   if (remesh && remesh->made) {
-    write_remesh(folder / remesh_name, tessellation.start(), *remesh->made, scheduler);
+    write_remesh(folder / remesh_name, tessellation.start(), *remesh->made, executor);
     names += std::string(" ") + remesh_name;
   }
   return names;

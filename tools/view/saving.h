@@ -19,12 +19,12 @@ void prepare_saving(const std::filesystem::path& folder,
                     std::span<const std::filesystem::path> inputs);
 
 /// The dual of the seeds as they are.
-GraphDual dual_of(SteppedTessellation& tessellation, Scheduler& scheduler);
+GraphDual dual_of(SteppedTessellation& tessellation, Executor& executor);
 
 /// Writes the files of `relax`, first-seeds.csv and, if there is one, the surface remesh; or
 /// picture.png; or page.html. Returns what was written, for people. Throws Error.
 std::string save_into(const std::filesystem::path& folder, Saving what,
                       SteppedTessellation& tessellation, const std::optional<SessionRemesh>& remesh,
-                      Scheduler& scheduler);
+                      Runtime& runtime);
 
 }  // namespace geolloyd

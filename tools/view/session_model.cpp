@@ -46,11 +46,11 @@ Json facts_of(const Input& input) {
 }  // namespace
 
 SessionModel::SessionModel(LoadedInput loaded, const SessionOptions& options,
-                           std::filesystem::path output, Scheduler& scheduler)
-    : tessellation_(std::move(loaded), options, scheduler),
+                           std::filesystem::path output, Runtime& runtime)
+    : tessellation_(std::move(loaded), options, runtime),
       output_(std::move(output)),
       field_file_(options.graph.field_file()),
-      scheduler_(scheduler),
+      runtime_(runtime),
       colours_(colours_of(tessellation_.start().input.loaded.properties)),
       placement_(placement_of(tessellation_.start().input.mesh())),
       mesh_facts_(facts_of(tessellation_.start().input)) {
@@ -139,13 +139,13 @@ const std::vector<Colour>& SessionModel::region_colours() {
 
 void SessionModel::make_truth() {
   const Start& start = tessellation_.start();
-  truth_ = make_ground_truth(scheduler_, start.input.mesh(), start.mesh_graph,
+  truth_ = make_ground_truth(runtime_.executor(), start.input.mesh(), start.mesh_graph,
                              tessellation_.partition(), tessellation_.seeds());
   touch("truth");
 }
 
 void SessionModel::make_dual() {
-  dual_ = dual_of(tessellation_, scheduler_);
+  dual_ = dual_of(tessellation_, runtime_.executor());
   touch("dual");
 }
 
@@ -165,8 +165,8 @@ void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>
   options.vertex_count = vertices;
   if (!next.field.empty()) options.field = tessellation_.field();
   require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
-                                                             options, {}, scheduler_));
-  const SurfaceFrame frame = frame_of(input.mesh(), scheduler_);
+                                                             options, {}, runtime_.executor()));
+  const SurfaceFrame frame = frame_of(input.mesh(), runtime_.executor());
   const auto keep_sites = [&](std::span<const Vec3> sites) {
     std::vector<Vec3>& kept = remesh_->sites;
     kept.resize(sites.size());
@@ -182,7 +182,9 @@ void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>
   try {
     remesh_->made = geolloyd::make_remesh(
         input.mesh(), tessellation_.edges(), options,
-        watched(make_surface_engines(EngineKind::parallel, scheduler_), keep_sites), scheduler_);
+        watched([&](const FineMesh& fine) { return runtime_.make_surface_engine(fine); },
+                keep_sites),
+        runtime_.executor());
   } catch (...) {
     layers_.erase("sites");
     remesh_ = std::move(before);
@@ -196,7 +198,7 @@ void SessionModel::save(Saving what) {
   if (output_.empty()) {
     throw InvalidInput("save: no folder to save into: start geolloyd view with --output FOLDER");
   }
-  const std::string written = save_into(output_, what, tessellation_, remesh_, scheduler_);
+  const std::string written = save_into(output_, what, tessellation_, remesh_, runtime_);
   set_message("done", "written: " + written);
 }
 

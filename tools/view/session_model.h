@@ -34,10 +34,10 @@ struct SessionRemesh {
 /// leaves all as it was. Not for two threads at once.
 class SessionModel {
  public:
-  /// `output` may be empty: then nothing can be saved. It has been prepared (saving.h). `scheduler`
+  /// `output` may be empty: then nothing can be saved. It has been prepared (saving.h). `runtime`
   /// must live on.
   SessionModel(LoadedInput loaded, const SessionOptions& options, std::filesystem::path output,
-               Scheduler& scheduler);
+               Runtime& runtime);
 
   /// Does what `command` says; `run`, `pause` and `stop` are not its. `keep_going` is asked now and
   /// then, and false ends a step, which then was not taken, or the moving of a remesh's sites.
@@ -74,7 +74,7 @@ class SessionModel {
   SteppedTessellation tessellation_;
   std::filesystem::path output_;
   std::filesystem::path field_file_;
-  Scheduler& scheduler_;
+  Runtime& runtime_;
   SurfaceColours colours_;
   Placement placement_;
   Json mesh_facts_;

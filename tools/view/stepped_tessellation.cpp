@@ -11,8 +11,6 @@
 #include "core/start/first_seeds.h"
 #include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
-#include "parallel/library/scheduler_runtime.h"
-#include "tools/run/measured_run.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_limit.h"
 
@@ -74,12 +72,13 @@ struct SteppedTessellation::Made {
 };
 
 SteppedTessellation::SteppedTessellation(LoadedInput loaded, const SessionOptions& options,
-                                         Scheduler& scheduler)
-    : scheduler_(scheduler) {
+                                         Runtime& runtime)
+    : runtime_(runtime) {
   start_.seconds.load = loaded.seconds;
   start_.input = std::move(loaded.input);
   edges_ = std::move(loaded.edges);
-  start_.surface = {find_topology(start_.input.mesh(), edges_, scheduler), irregular_edges(edges_)};
+  start_.surface = {find_topology(start_.input.mesh(), edges_, runtime.executor()),
+                    irregular_edges(edges_)};
   rebuild(options, true);
 }
 
@@ -101,10 +100,9 @@ std::vector<NodeId> SteppedTessellation::choose(const SessionOptions& options, c
   const Mesh& mesh = start_.input.mesh();
   const FirstSeedOptions choice{seeds.init, seeds.count, seeds.random_seed,
                                 made != nullptr ? made->field : field_};
-  SchedulerRuntime runtime(scheduler_);
   const std::vector<SeedPlace> places =
-      find_first_places(mesh, edges_.duplicates, mesh_graph.graph.node_count(), choice, runtime);
-  return choose_first_seeds(mesh, places, mesh_graph, components, choice, runtime);
+      find_first_places(mesh, edges_.duplicates, mesh_graph.graph.node_count(), choice, runtime_);
+  return choose_first_seeds(mesh, places, mesh_graph, components, choice, runtime_);
 }
 
 // Edited seeds stay where the choice of seeds does.
@@ -115,16 +113,17 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   Purpose purpose;
   purpose.init = seeds.init;
   purpose.has_dual = true;
-  const std::uint64_t bytes =
-      estimate_memory(options.graph, start_.input, edges_, seeds.count, purpose, scheduler_);
+  const std::uint64_t bytes = estimate_memory(options.graph, start_.input, edges_, seeds.count,
+                                              purpose, runtime_.executor());
   require_memory(start_.input.file.string(), bytes);
   std::optional<Made> made;
   if (is_new) {
     made.emplace();
-    made->field = find_field(options.graph, mesh, edges_, scheduler_);
+    made->field = find_field(options.graph, mesh, edges_, runtime_.executor());
     made->mesh_graph = make_mesh_graph(
         mesh, edges_,
-        {options.graph.kind, options.graph.norm, made->field, options.graph.averaging}, scheduler_);
+        {options.graph.kind, options.graph.norm, made->field, options.graph.averaging},
+        runtime_.executor());
     made->components = connected_components(made->mesh_graph.graph);
   }
   if (options.seeds.count == 0) {
@@ -142,8 +141,7 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
     field_ = std::move(made->field);
     start_.mesh_graph = std::move(made->mesh_graph);
     components_ = std::move(made->components);
-    engine_ =
-        make_engine(EngineKind::parallel, Frontier::automatic, scheduler_, start_.mesh_graph.graph);
+    engine_ = runtime_.make_engine(start_.mesh_graph.graph);
   }
   start_.components = components_.size();
   start_.memory_estimate = bytes;

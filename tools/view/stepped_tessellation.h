@@ -8,7 +8,7 @@
 #include "core/graph/components.h"
 #include "core/lloyd/relaxation.h"
 #include "core/regions/tessellation.h"
-#include "parallel/threads/scheduler.h"
+#include "geolloyd/runtime.h"
 #include "tools/run/stages.h"
 #include "tools/view/session_options.h"
 
@@ -27,8 +27,8 @@ enum class StepKind {
 class SteppedTessellation {
  public:
   /// Builds the graph and chooses the seeds: 256 where no number is given, or fewer on few nodes.
-  /// `scheduler` must live on.
-  SteppedTessellation(LoadedInput loaded, const SessionOptions& options, Scheduler& scheduler);
+  /// `runtime` must live on.
+  SteppedTessellation(LoadedInput loaded, const SessionOptions& options, Runtime& runtime);
 
   // What changes the first seeds begins their relaxation anew.
 
@@ -97,7 +97,7 @@ class SteppedTessellation {
   void end_greedy_phase();
   void show(const std::vector<NodeId>& seeds);
 
-  Scheduler& scheduler_;
+  Runtime& runtime_;
   Start start_;  // its seeds are the first ones
   MeshEdges edges_;
   SessionOptions options_;

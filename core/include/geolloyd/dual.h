@@ -36,6 +36,6 @@ struct Dual {
 /// same topology, if there are nodes enough for the seeds to add. Throws InvalidInput where mesh
 /// and tessellation do not belong together.
 Dual dual(const Mesh& mesh, const Tessellation& tessellation, const DualOptions& options = {},
-              Runtime& runtime = reference_runtime());
+          Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -122,8 +122,7 @@ struct Remesh {
 /// the surface itself (core/surface). `mesh` may have any flaws; where its edges have three and
 /// more triangles it is cut apart. The remesh has `vertex_count` vertices, or more where its
 /// topology needs them. Throws InvalidInput where the mesh is not valid or has no area.
-Remesh remesh(const Mesh& mesh, const RemeshOptions& options,
-              Runtime& runtime = reference_runtime());
+Remesh remesh(const Mesh& mesh, const RemeshOptions& options, Runtime& runtime = all_threads());
 
 /// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
 /// vertices. Numbers are interpolated, so a linear function stays one; parts of colours are then
@@ -131,6 +130,6 @@ Remesh remesh(const Mesh& mesh, const RemeshOptions& options,
 /// Throws InvalidInput where properties or places do not fit the mesh.
 std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,
                                 const std::vector<SurfacePoint>& places,
-                                Runtime& runtime = reference_runtime());
+                                Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -61,6 +61,6 @@ struct RepairedMesh {
 /// No step leaves more non-manifold edges or boundary loops than the mesh cut apart has. Throws
 /// InvalidInput where the mesh is not valid or an option makes no sense.
 RepairedMesh repair(const Mesh& mesh, const RepairOptions& options = {},
-                    Runtime& runtime = reference_runtime());
+                    Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

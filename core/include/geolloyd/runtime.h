@@ -16,9 +16,9 @@ class SurfaceEngine;
 struct FineMesh;
 struct Graph;
 
-/// Who computes: the calling thread by the sequential reference engine, or threads by the parallel
-/// engine (Threads, geolloyd/threads.h). A result is the same to the bit with every runtime; only
-/// the time differs. One thread at a time may use a runtime.
+/// Who computes: threads by the parallel engines (Threads, geolloyd/threads.h), or the calling
+/// thread by the sequential reference engines. A result is the same to the bit with every runtime;
+/// only the time differs. One thread at a time may use a runtime.
 class Runtime {
  public:
   Runtime() = default;
@@ -33,8 +33,13 @@ class Runtime {
   virtual std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) = 0;
 };
 
-/// The calling thread alone: the sequential reference. It is simple, and many times slower than
-/// Threads. It has no state.
+/// All threads that this process may use: the default of every function. It is the calling thread's
+/// own, so several threads may compute at once; no thread hands it to another. In
+/// geolloyd::parallel; who links geolloyd::core alone passes reference_runtime().
+Runtime& all_threads();
+
+/// The calling thread alone: the sequential reference. It is simple, and many times slower. It has
+/// no state.
 Runtime& reference_runtime();
 
 }  // namespace geolloyd

@@ -9,10 +9,11 @@
 /// Results speak the ids of the input (types.h). They are the same to the bit on every machine and
 /// any number of threads. What a user can put right is thrown as geolloyd::Error, with one line
 /// that says what, where and what to do; nothing is printed, and no function exits. Functions have
-/// no state: several threads may call them at once, each with a runtime of its own.
+/// no state: several threads may call them at once, each with a runtime of its own, as by default.
 ///
-/// Targets: geolloyd::core (all but Threads), geolloyd::parallel (Threads, and this header);
-/// geolloyd::evaluation (evaluation.h) and geolloyd::render (render.h) have headers of their own.
+/// Targets: geolloyd::parallel (all threads, and this header); geolloyd::core alone (the sequential
+/// reference: pass reference_runtime()). geolloyd::evaluation (evaluation.h) and geolloyd::render
+/// (render.h) have headers of their own.
 
 #include "geolloyd/choices.h"     // enumerations, progress
 #include "geolloyd/dual.h"        // dual: the mesh of a tessellation

@@ -26,7 +26,7 @@ struct Evaluation {
 
 /// `tessellation` is one of this `mesh`. Throws InvalidInput where it is not.
 Evaluation evaluate(const Mesh& mesh, const Tessellation& tessellation,
-                    Runtime& runtime = reference_runtime());
+                    Runtime& runtime = all_threads());
 
 /// How far points of a surface are from another, mesh units.
 struct DistanceFigures {
@@ -48,12 +48,12 @@ struct SurfaceDistance {
 /// With so many samples on each surface, at least 1. Throws InvalidInput where a mesh is not valid
 /// or has no area.
 SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::size_t samples,
-                                 Runtime& runtime = reference_runtime());
+                                 Runtime& runtime = all_threads());
 
 /// The points of a surface that are closest to some points; of equally close ones that of the
 /// smallest triangle. Throws InvalidInput where the mesh is not valid or a point not finite.
 std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec3>& points,
-                                         Runtime& runtime = reference_runtime());
+                                         Runtime& runtime = all_threads());
 
 /// A remesh that was tried, and how far it is from the mesh: the largest distance, of both ways,
 /// that samples and vertices find.
@@ -73,6 +73,6 @@ struct ToleranceRemesh {
 /// no edge length. Where the progress callback ends the work, the best one so far, or the last
 /// one. Throws InvalidInput also where many vertices are not enough.
 ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,
-                              Runtime& runtime = reference_runtime());
+                              Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

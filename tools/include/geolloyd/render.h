@@ -20,11 +20,11 @@ struct RenderOptions {
 /// transparent. Throws InvalidInput where the mesh or an option is not usable, IoError where the
 /// file cannot be written.
 void render_mesh(const std::filesystem::path& path, const Mesh& mesh,
-                 const RenderOptions& options = {}, Runtime& runtime = reference_runtime());
+                 const RenderOptions& options = {}, Runtime& runtime = all_threads());
 
 /// Draws the regions of a tessellation of this mesh and its seeds.
 void render_regions(const std::filesystem::path& path, const Mesh& mesh,
                     const Tessellation& tessellation, const RenderOptions& options = {},
-                    Runtime& runtime = reference_runtime());
+                    Runtime& runtime = all_threads());
 
 }  // namespace geolloyd
