@@ -53,7 +53,7 @@ struct CutTriangle {
       corner[c] = measure(mesh.positions[corners[c]]);
       at[c] = labels[corners[c]];
     }
-    for (const VertexId v : mesh.across[t]) {
+    for (const VertexId v : mesh.across_open[t]) {
       if (v == no_id) continue;
       const RegionId r = labels[v];
       if (r != at[0] && r != at[1] && r != at[2]) others.add(r);
