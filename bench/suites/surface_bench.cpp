@@ -13,6 +13,7 @@
 #include "core/surface/cells/cell_labels.h"
 #include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/features/creases.h"
+#include "core/surface/features/curve_sites.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/result/surface_fit.h"
 #include "core/surface/result/surface_repair.h"
@@ -46,7 +47,7 @@ void with_workers(Run& run, void (*body)(Run&, const Workers&)) {
 
 bool same_mesh_bytes(const FineMesh& a, const FineMesh& b) {
   return same_bytes(a.positions, b.positions) && same_bytes(a.triangles, b.triangles) &&
-         same_bytes(a.across, b.across) && same_bytes(a.neighbour, b.neighbour) &&
+         same_bytes(a.across_open, b.across_open) && same_bytes(a.neighbour, b.neighbour) &&
          same_bytes(a.triangle_at, b.triangle_at);
 }
 

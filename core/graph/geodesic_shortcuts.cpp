@@ -32,10 +32,7 @@ GeodesicShortcuts::GeodesicShortcuts(const Mesh& mesh, const MeshEdges& edges, E
     opposite_[corners[0]] = corners[1];
     opposite_[corners[1]] = corners[0];
   });
-  fans_ = bucket_sort<CornerId>(
-      executor, mesh.vertex_count(), mesh.triangle_count(), [&](std::size_t t, auto&& put) {
-        for_each_corner(mesh, t, [&](CornerId corner) { put(apex(mesh, corner), corner); });
-      });
+  fans_ = corners_at_vertices(mesh, executor);
 }
 
 // The first direction is that of the edge's start.

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/bucketing.h"
 #include "core/base/buffer.h"
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/mesh_edges.h"
+#include "core/mesh/connectivity.h"
 
 namespace geolloyd {
 

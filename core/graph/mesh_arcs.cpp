@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/bucketing.h"
 #include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/graph/geodesic_shortcuts.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/metric_mean.h"
 #include "core/mesh/tangent_plane.h"
 #include "geolloyd/errors.h"
@@ -215,10 +215,7 @@ class ArcBuilder {
   }
 
   void find_fans() {
-    fans_ = bucket_sort<CornerId>(
-        executor_, mesh_.vertex_count(), mesh_.triangle_count(), [this](std::size_t t, auto&& put) {
-          for_each_corner(mesh_, t, [&](CornerId corner) { put(apex(mesh_, corner), corner); });
-        });
+    fans_ = corners_at_vertices(mesh_, executor_);
     check_arc_count(count_arcs(mesh_, edges_, options_.kind, executor_));
     legs_ = Buffer<double>(3 * mesh_.triangle_count());
     parallel_for(executor_, mesh_.triangle_count(), small_items, [this](std::size_t t) {

@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "core/base/bucketing.h"
 #include "core/base/loops.h"
 #include "core/base/vec3.h"
 #include "core/mesh/curvature_field.h"
@@ -105,13 +104,8 @@ class CrossPlanes {
   CrossPlanes(const Mesh& mesh, const MeshEdges& edges, Executor& executor)
       : mesh_(mesh),
         edges_(edges),
-        axes_(curvature_field(mesh, edges, executor)),
-        edges_at_(bucket_sort<std::uint32_t>(executor, mesh.vertex_count(), edges.size(),
-                                             [&](std::size_t e, auto&& put) {
-                                               const auto edge = static_cast<std::uint32_t>(e);
-                                               put(edges.ends[e][0], edge);
-                                               put(edges.ends[e][1], edge);
-                                             })) {}
+        edges_at_(edges_at_vertices(mesh.vertex_count(), edges, executor)),
+        axes_(curvature_field(mesh, edges, edges_at_, executor)) {}
 
   [[nodiscard]] const TangentSpace& axes(VertexId v) const { return axes_[v]; }
 
@@ -188,8 +182,8 @@ class CrossPlanes {
 
   const Mesh& mesh_;
   const MeshEdges& edges_;
-  std::vector<TangentSpace> axes_;
   Bucketed<std::uint32_t> edges_at_;  // ascending
+  std::vector<TangentSpace> axes_;
 };
 
 // Each node with the unpaired neighbour of the largest weight, the first of several. Nodes without

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/base/bucketing.h"
 #include "core/base/buffer.h"
 #include "core/base/loops.h"
 #include "core/base/vec3.h"
@@ -47,17 +46,14 @@ struct Passage {
 
 class CurvatureTensors {
  public:
-  CurvatureTensors(const Mesh& mesh, const MeshEdges& edges, Executor& executor)
+  CurvatureTensors(const Mesh& mesh, const MeshEdges& edges,
+                   const Bucketed<std::uint32_t>& edges_at, Executor& executor)
       : mesh_(mesh),
         edges_(edges),
+        edges_at_(edges_at),
         executor_(executor),
         area_(vertex_areas(mesh, edges.duplicates)) {
     find_normals();
-    edges_at_ = bucket_sort<std::uint32_t>(executor, mesh.vertex_count(), edges.size(),
-                                           [&](std::size_t e, auto&& put) {
-                                             put(edges.ends[e][0], static_cast<std::uint32_t>(e));
-                                             put(edges.ends[e][1], static_cast<std::uint32_t>(e));
-                                           });
     tensor_.resize(mesh.vertex_count());
     for_vertices([&](VertexId v) { tensor_[v] = measured(v); });
     smooth();
@@ -195,12 +191,12 @@ class CurvatureTensors {
 
   const Mesh& mesh_;
   const MeshEdges& edges_;
+  const Bucketed<std::uint32_t>& edges_at_;
   Executor& executor_;
   bool is_oriented_ = true;
   std::vector<double> area_;  // per vertex; 0 where there is no normal
   std::vector<Vec3> normal_;
   std::vector<PlaneAxes> axes_;
-  Bucketed<std::uint32_t> edges_at_;  // ascending
   std::vector<Tensor> tensor_;
 };
 
@@ -218,7 +214,14 @@ double mean_curvature(const CurvatureTensors& tensors, std::size_t vertices, dou
 
 std::vector<TangentSpace> curvature_field(const Mesh& mesh, const MeshEdges& edges,
                                           Executor& executor) {
-  const CurvatureTensors tensors(mesh, edges, executor);
+  return curvature_field(mesh, edges, edges_at_vertices(mesh.vertex_count(), edges, executor),
+                         executor);
+}
+
+std::vector<TangentSpace> curvature_field(const Mesh& mesh, const MeshEdges& edges,
+                                          const Bucketed<std::uint32_t>& edges_at,
+                                          Executor& executor) {
+  const CurvatureTensors tensors(mesh, edges, edges_at, executor);
   const std::size_t count = mesh.vertex_count();
   double whole_area = 0;
   for (VertexId v = 0; v < count; ++v) whole_area += tensors.area(v);

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "core/base/executor.h"
-#include "core/mesh/mesh.h"
-#include "core/mesh/mesh_edges.h"
+#include "core/mesh/connectivity.h"
 #include "geolloyd/choices.h"
 
 namespace geolloyd {
@@ -25,5 +24,10 @@ inline constexpr double most_stretch = 4;
 /// Non-manifold edges have no bend. O(triangles).
 std::vector<TangentSpace> curvature_field(const Mesh& mesh, const MeshEdges& edges,
                                           Executor& executor = sequential());
+
+/// The same, of a mesh whose edges_at_vertices() are at hand.
+std::vector<TangentSpace> curvature_field(const Mesh& mesh, const MeshEdges& edges,
+                                          const Bucketed<std::uint32_t>& edges_at,
+                                          Executor& executor);
 
 }  // namespace geolloyd

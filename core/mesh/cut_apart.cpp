@@ -4,9 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/base/bucketing.h"
 #include "core/base/loops.h"
-#include "core/mesh/mesh_edges.h"
+#include "core/mesh/connectivity.h"
 
 namespace geolloyd {
 namespace {
@@ -92,11 +91,7 @@ bool is_closed_fan(const Mesh& mesh, VertexId v, std::span<const TriangleId> at)
 }  // namespace
 
 CutVertices cut_apart(Mesh& mesh, Executor& executor) {
-  const auto at = bucket_sort<TriangleId>(executor, mesh.vertex_count(), mesh.triangle_count(),
-                                          [&](std::size_t t, auto&& put) {
-                                            for (const VertexId v : mesh.triangles[t])
-                                              put(v, static_cast<TriangleId>(t));
-                                          });
+  const auto at = triangles_at_vertices(mesh.vertex_count(), mesh.triangles, executor);
   std::vector<std::vector<VertexId>> found(executor.threads());
   parallel_for_ranges(executor, mesh.vertex_count(), small_items,
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {

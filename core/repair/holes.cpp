@@ -8,8 +8,8 @@
 #include <unordered_set>
 
 #include "core/base/bounding_box.h"
-#include "core/base/bucketing.h"
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/connectivity.h"
 #include "core/repair/hole_triangulation.h"
 
 namespace geolloyd {
@@ -172,14 +172,7 @@ class HoleFiller {
     return true;
   }
   bool have_common_neighbour(VertexId a, VertexId b) {
-    if (!at_) {
-      at_ = bucket_sort<TriangleId>(sequential(), mesh_.vertex_count(), mesh_.triangle_count(),
-                                    [&](std::size_t t, auto&& put) {
-                                      for (const VertexId v : mesh_.triangles[t]) {
-                                        put(v, static_cast<TriangleId>(t));
-                                      }
-                                    });
-    }
+    if (!at_) at_ = triangles_at_vertices(mesh_.vertex_count(), mesh_.triangles);
     std::unordered_set<VertexId> beside;
     for (const TriangleId t : (*at_)[a]) {
       for (const VertexId v : mesh_.triangles[t]) beside.insert(v);

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/bucketing.h"
+#include "core/mesh/connectivity.h"
 #include "core/mesh/mesh_measure.h"
 
 namespace geolloyd {
@@ -17,13 +17,7 @@ namespace {
 class Stars {
  public:
   explicit Stars(const Mesh& mesh)
-      : mesh_(mesh),
-        first_(bucket_sort<TriangleId>(sequential(), mesh.vertex_count(), mesh.triangle_count(),
-                                       [&](std::size_t t, auto&& put) {
-                                         for (const VertexId v : mesh.triangles[t]) {
-                                           put(v, static_cast<TriangleId>(t));
-                                         }
-                                       })) {}
+      : mesh_(mesh), first_(triangles_at_vertices(mesh.vertex_count(), mesh.triangles)) {}
 
   void add(VertexId v, TriangleId t) { more_[v].push_back(t); }
 

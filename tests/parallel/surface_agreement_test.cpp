@@ -249,7 +249,7 @@ TEST(SurfaceEngines, LetSitesDescendAlike) {
 void expect_same(const FineMesh& a, const FineMesh& b) {
   EXPECT_TRUE(same_bytes(a.positions, b.positions));
   EXPECT_TRUE(same_bytes(a.triangles, b.triangles));
-  EXPECT_TRUE(same_bytes(a.across, b.across));
+  EXPECT_TRUE(same_bytes(a.across_open, b.across_open));
   EXPECT_TRUE(same_bytes(a.first_neighbour, b.first_neighbour));
   EXPECT_TRUE(same_bytes(a.neighbour, b.neighbour));
   EXPECT_TRUE(same_bytes(a.first_triangle, b.first_triangle));

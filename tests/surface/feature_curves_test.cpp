@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/shapes/shapes.h"
+#include "core/surface/features/curve_sites.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/surface.h"

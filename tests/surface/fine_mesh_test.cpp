@@ -46,10 +46,11 @@ void expect_connected_right(const FineMesh& mesh) {
     EXPECT_TRUE(std::ranges::equal(mesh.triangles_at(v), around)) << v;
     EXPECT_TRUE(std::ranges::equal(mesh.neighbours(v), near)) << v;
   }
-  ASSERT_EQ(mesh.across.size(), mesh.triangle_count());
+  ASSERT_EQ(mesh.across_open.size(), mesh.triangle_count());
   double area = 0;
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mesh.across[t][c], brute_across(mesh, t, c)) << t;
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(mesh.across_open[t][c], brute_across(mesh, t, c)) << t;
     const auto& [a, b, c] = mesh.triangles[t];
     const std::vector<Vec3>& p = mesh.positions;
     EXPECT_EQ(mesh.area(t), norm(cross(p[b] - p[a], p[c] - p[a])) / 2);
@@ -93,8 +94,8 @@ TEST(FineMeshConnections, OfRandomSoups) {
 TEST(FineMeshConnections, OfABoundaryEndThere) {
   const FineMesh mesh =
       connected({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}});
-  EXPECT_EQ(mesh.across[0], (Triangle{3, no_id, no_id}));
-  EXPECT_EQ(mesh.across[1], (Triangle{no_id, 0, no_id}));
+  EXPECT_EQ(mesh.across_open[0], (Triangle{3, no_id, no_id}));
+  EXPECT_EQ(mesh.across_open[1], (Triangle{no_id, 0, no_id}));
   EXPECT_EQ(mesh.whole_area, 1);
 }
 

@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_quality.h"
 #include "core/shapes/shapes.h"
 #include "core/surface/sizing/curvature.h"
+#include "core/surface/sizing/growth_limit.h"
 #include "geolloyd/errors.h"
 #include "tests/support/odd_surfaces.h"
 #include "tests/support/random_graph.h"

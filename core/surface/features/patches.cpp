@@ -41,7 +41,7 @@ class PatchFinder {
     parallel_for(executor_, fine_.triangle_count(), small_items, [&](std::size_t i) {
       const auto t = static_cast<TriangleId>(i);
       for (std::size_t c = 0; c < 3; ++c) {
-        if (fine_.across[t][c] == no_id) continue;
+        if (fine_.across_open[t][c] == no_id) continue;
         const auto edge =
             ascending(fine_.triangles[t][(c + 1) % 3], fine_.triangles[t][(c + 2) % 3]);
         for (const TriangleId u : fine_.triangles_at(edge[0])) {
@@ -70,7 +70,7 @@ class PatchFinder {
       const PatchId p = of_triangle_[t];
       result_.patches[p].area += fine_.sized_area(t);
       doubled[p] += 2;
-      for (const VertexId beyond : fine_.across[t]) doubled[p] -= beyond != no_id ? 1 : 0;
+      for (const VertexId beyond : fine_.across_open[t]) doubled[p] -= beyond != no_id ? 1 : 0;
     }
     for (VertexId v = 0; v < fine_.vertex_count(); ++v) {
       if (is_on_curve_[v] == 0) doubled[of_triangle_[fine_.triangles_at(v)[0]]] += 2;

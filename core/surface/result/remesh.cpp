@@ -12,6 +12,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/surface/features/creases.h"
+#include "core/surface/features/curve_sites.h"
 #include "core/surface/features/patches.h"
 #include "core/surface/result/edge_flips.h"
 #include "core/surface/result/site_places.h"

@@ -24,12 +24,12 @@ struct FitResult {
 /// among the corners): vertices on a curved surface leave all chords on one side of it. `labels`
 /// tell the vertex of the remesh that each vertex of `input.fine` belongs to.
 ///
-/// The first `held` vertices stay. The others move no farther along their normals than any point of
-/// the surface about them was from the remesh, and sideways as reluctantly as it takes to keep the
-/// mean quality of triangles within 0.0008 or, where the surface is too curved for that, 0.005. No
-/// angle gets smaller than the smallest one was, less 2 degrees, and no triangle turns by more than
-/// 30 degrees. Quality and angles are those in `metric`, of each vertex of the remesh, if there is
-/// one. All stay where the sum or the largest distance would grow.
+/// The first `held` vertices are fixed. The others move no farther along their normals than any
+/// point of the surface about them was from the remesh, and sideways as reluctantly as it takes to
+/// keep the mean quality of triangles within 0.0008 or, where the surface is too curved for that,
+/// 0.005. No angle gets smaller than the smallest one was, less 2 degrees, and no triangle turns by
+/// more than 30 degrees. Quality and angles are those in `metric`, of each vertex of the remesh, if
+/// there is one. If the sum or the largest distance would grow, nothing moves.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
                          Executor& executor = sequential());

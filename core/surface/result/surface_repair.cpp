@@ -1,11 +1,11 @@
 #include "core/surface/result/surface_repair.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/dual/seed_insertion.h"
 #include "core/surface/cells/cell_labels.h"
+#include "core/surface/result/labelled_surface.h"
 #include "core/surface/sites/site_balance.h"
 
 namespace geolloyd {
@@ -58,7 +58,7 @@ class SurfaceRepair {
       tidy();
     }
     remove_sites_without_cells();
-    surface_ = surface_of_labels();
+    surface_ = label_surface(input_, curves_, result_.state, executor_);
     result_.dual = make_dual(surface_, executor_);
   }
 
@@ -92,54 +92,6 @@ class SurfaceRepair {
     const std::vector<std::uint8_t> is_removed = sites_without_cells();
     remove_sites(is_removed, result_.state.sites, result_.state.labels);
     result_.cells.remove(is_removed);
-  }
-
-  // The labels as a surface whose dual can be made. Sub-resolution holes are closed.
-  [[nodiscard]] RegionSurface surface_of_labels() const {
-    const LabelledSites& state = result_.state;
-    RegionSurface surface;
-    surface.vertex_count = input_.fine.vertex_count();
-    surface.region_count = state.sites.size();
-    surface.region = state.labels;
-    surface.distance.resize(surface.vertex_count);
-    parallel_for(executor_, surface.vertex_count, small_items, [&](std::size_t v) {
-      const Vec3 away = input_.fine.positions[v] - state.sites.positions[state.labels[v]];
-      surface.distance[v] = std::sqrt(input_.fine.square_at(static_cast<VertexId>(v), away));
-    });
-    surface.triangles = triangles_with_caps();
-    std::vector<std::uint8_t> is_at_subresolution_hole(surface.vertex_count, 0);
-    for (const std::vector<VertexId>& loop : curves_.subresolution_holes) {
-      for (const VertexId v : loop) is_at_subresolution_hole[v] = 1;
-    }
-    for (const auto& ends : input_.boundary_edges) {
-      if (is_at_subresolution_hole[ends[0]] == 0) surface.irregular_edges.push_back({ends, 1});
-    }
-    return surface;
-  }
-
-  // Sub-resolution holes are closed.
-  [[nodiscard]] SurfaceTriangles triangles_with_caps() const {
-    if (curves_.subresolution_holes.empty()) return SurfaceTriangles::of(input_.fine.triangles);
-    std::vector<Triangle> triangles = input_.fine.triangles;
-    for (const std::vector<VertexId>& loop : curves_.subresolution_holes) {
-      const bool runs_along = has_directed_edge(loop[0], loop[1]);
-      for (std::size_t i = 2; i < loop.size(); ++i) {
-        Triangle cap = {loop[0], loop[i - 1], loop[i]};
-        if (runs_along) std::swap(cap[1], cap[2]);
-        triangles.push_back(cap);
-      }
-    }
-    return SurfaceTriangles(std::move(triangles));
-  }
-
-  // Whether a triangle names `to` right after `from`.
-  [[nodiscard]] bool has_directed_edge(VertexId from, VertexId to) const {
-    const auto at = input_.fine.triangles_at(from);
-    return std::any_of(at.begin(), at.end(), [&](TriangleId i) {
-      const Triangle& t = input_.fine.triangles[i];
-      return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
-             (t[2] == from && t[0] == to);
-    });
   }
 
   [[nodiscard]] bool has_violations() const { return any_removable(result_.dual.violations); }

@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/surface/cells/cell_labels.h"
+#include "core/surface/features/curve_sites.h"
 #include "core/surface/sites/level_mesh.h"
 #include "core/surface/sites/site_balance.h"
 #include "core/surface/sites/site_refinement.h"

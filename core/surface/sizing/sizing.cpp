@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <string>
 #include <utility>
 
-#include "core/base/bucketing.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/sizing/field_metric.h"
+#include "core/surface/sizing/growth_limit.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -171,42 +170,6 @@ std::vector<double> lengths_of_curvatures(std::span<const double> curvature, dou
     lengths.push_back(1 / power(std::clamp(c, least, most), adapt / 2));
   }
   return lengths;
-}
-
-void limit_growth(const Mesh& mesh, const MeshEdges& edges, double growth,
-                  std::vector<double>& lengths, Executor& executor) {
-  const double slope = growth - 1;
-  if (!std::isfinite(slope)) return;
-  const auto way = [&](VertexId a, VertexId b) {
-    return norm(mesh.positions[a] - mesh.positions[b]);
-  };
-  // Only where a neighbour is too long does anything follow from a vertex.
-  using Entry = std::pair<double, VertexId>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const auto& [a, b] : edges.ends) {
-    const auto [shorter, longer] = lengths[a] <= lengths[b] ? std::pair(a, b) : std::pair(b, a);
-    if (lengths[shorter] + slope * way(a, b) < lengths[longer]) {
-      queue.emplace(lengths[shorter], shorter);
-    }
-  }
-  if (queue.empty()) return;
-  const auto neighbours = bucket_sort<VertexId>(executor, mesh.vertex_count(), edges.size(),
-                                                [&](std::size_t e, auto&& put) {
-                                                  const auto& [a, b] = edges.ends[e];
-                                                  put(a, b);
-                                                  put(b, a);
-                                                });
-  while (!queue.empty()) {
-    const auto [length, v] = queue.top();
-    queue.pop();
-    if (length > lengths[v]) continue;
-    for (const VertexId u : neighbours[v]) {
-      const double limit = length + slope * way(v, u);
-      if (!(limit < lengths[u])) continue;
-      lengths[u] = limit;
-      queue.emplace(limit, u);
-    }
-  }
 }
 
 Sizing find_sizing(const Mesh& mesh, const MeshEdges& edges, std::span<const double> lengths,

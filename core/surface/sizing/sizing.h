@@ -28,11 +28,6 @@ std::vector<double> wanted_lengths(const Mesh& mesh, const SizingOptions& option
 /// hundred times their mean.
 std::vector<double> lengths_of_curvatures(std::span<const double> curvature, double adapt);
 
-/// Shortens lengths until none exceeds one at another vertex by more than `growth` - 1 times the
-/// way along edges between them (Persson 2006). All are above 0.
-void limit_growth(const Mesh& mesh, const MeshEdges& edges, double growth,
-                  std::vector<double>& lengths, Executor& executor = sequential());
-
 /// The sizes that have these lengths, limited in growth; or else lengths in proportion to them, as
 /// the number of vertices or the mean length of edges that `options` give asks for. Throws
 /// InvalidInput where the longest is more than 1000 times the shortest.

@@ -4,17 +4,13 @@
 #include <cstdint>
 #include <numeric>
 
-#include "core/base/bucketing.h"
+#include "core/mesh/connectivity.h"
 
 namespace geolloyd {
 namespace {
 
 void find_triangles_at_vertices(FineMesh& mesh, Executor& executor) {
-  const auto at = bucket_sort<TriangleId>(executor, mesh.vertex_count(), mesh.triangle_count(),
-                                          [&](std::size_t t, auto&& put) {
-                                            for (const VertexId v : mesh.triangles[t])
-                                              put(v, static_cast<TriangleId>(t));
-                                          });
+  const auto at = triangles_at_vertices(mesh.vertex_count(), mesh.triangles, executor);
   mesh.first_triangle.assign(1, 0);
   mesh.first_triangle.insert(mesh.first_triangle.end(), at.end.begin(), at.end.end());
   mesh.triangle_at.assign(at.entry.begin(), at.entry.end());
@@ -56,13 +52,13 @@ class EdgesAtVertex {
 void join_across(FineMesh& mesh, std::uint64_t first, std::uint64_t second) {
   const auto a = static_cast<std::uint32_t>(first);
   const auto b = static_cast<std::uint32_t>(second);
-  mesh.across[a / 3][a % 3] = mesh.triangles[b / 3][b % 3];
-  mesh.across[b / 3][b % 3] = mesh.triangles[a / 3][a % 3];
+  mesh.across_open[a / 3][a % 3] = mesh.triangles[b / 3][b % 3];
+  mesh.across_open[b / 3][b % 3] = mesh.triangles[a / 3][a % 3];
 }
 
 // One pass: the neighbours of each range of vertices are kept until it is known where they go.
 void find_neighbours(FineMesh& mesh, Executor& executor) {
-  mesh.across.assign(mesh.triangle_count(), {no_id, no_id, no_id});
+  mesh.across_open.assign(mesh.triangle_count(), {no_id, no_id, no_id});
   mesh.first_neighbour.assign(mesh.vertex_count() + 1, 0);
   std::vector<std::vector<VertexId>> of_range(mesh.vertex_count() / small_items + 1);
   parallel_for_ranges(executor, mesh.vertex_count(), small_items,
@@ -117,7 +113,7 @@ void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges)
       const Triangle& corners = mesh.triangles[t];
       for (std::size_t c = 0; c < 3; ++c) {
         if (ascending(corners[(c + 1) % 3], corners[(c + 2) % 3]) == edge) {
-          mesh.across[t][c] = no_id;
+          mesh.across_open[t][c] = no_id;
         }
       }
     }

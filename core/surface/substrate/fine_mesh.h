@@ -25,10 +25,11 @@ struct FineMesh {
   std::vector<Triangle> triangles;
   std::vector<double> inverse_sizing;  ///< per vertex: how many times shorter than the spacing
                                        ///< edges are to be there; empty: 1 everywhere
-  std::vector<Metric> metric;    ///< per vertex, with the determinant 1 along the surface: the
-                                 ///< shape of cells there; empty: they are round
-  std::vector<Triangle> across;  ///< per corner: the vertex beyond the edge opposite to it, or
-                                 ///< no_id where the edge does not have two triangles, or is closed
+  std::vector<Metric> metric;         ///< per vertex, with the determinant 1 along the surface: the
+                                      ///< shape of cells there; empty: they are round
+  std::vector<Triangle> across_open;  ///< per corner: the vertex beyond the edge opposite to it, or
+                                      ///< no_id where that edge is not open: it does not have two
+                                      ///< triangles, or is closed (close_edges())
   std::vector<std::uint32_t> first_neighbour;  ///< per vertex, and one more
   std::vector<VertexId> neighbour;             ///< of each vertex, ascending
   std::vector<std::uint32_t> first_triangle;   ///< per vertex, and one more
@@ -98,11 +99,12 @@ struct FineMesh {
   }
 };
 
-/// Positions, triangles and inverse sizing are there already; fills in what follows from them.
+/// Positions, triangles and inverse sizing are there already; fills in what follows from them. All
+/// edges with two triangles are open.
 void connect(FineMesh& mesh, Executor& executor = sequential());
 
-/// Closes edges (ascending within): the free sites beyond them have no share of the triangles
-/// before them.
+/// Closes edges (ascending within), such as those of features: the free sites beyond them have no
+/// share of the triangles before them. `across_open` leaves them out from then on.
 void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges);
 
 }  // namespace geolloyd

@@ -51,8 +51,9 @@ class SurfaceInputBuilder {
     sort_vertices();
     sort_triangles();
     connect(result_.fine, executor_);
-    find_boundary_edges();
+    find_boundary_edges();  // while all edges with two triangles are open
     find_feature_edges();
+    close_edges(result_.fine, result_.feature_edges);
     find_parts();
     return std::move(result_);
   }
@@ -115,7 +116,7 @@ class SurfaceInputBuilder {
     const FineMesh& fine = result_.fine;
     for (TriangleId t = 0; t < fine.triangle_count(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
-        if (fine.across[t][c] != no_id) continue;
+        if (fine.across_open[t][c] != no_id) continue;
         result_.boundary_edges.push_back(
             ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]));
       }
@@ -143,11 +144,10 @@ class SurfaceInputBuilder {
       result_.feature_edges.insert(result_.feature_edges.end(), edges.begin(), edges.end());
     }
     sort_and_deduplicate(result_.feature_edges);
-    close_edges(result_.fine, result_.feature_edges);
   }
   [[nodiscard]] bool is_feature(TriangleId t, std::size_t c) const {
     const FineMesh& fine = result_.fine;
-    const VertexId beyond = fine.across[t][c];
+    const VertexId beyond = fine.across_open[t][c];
     if (beyond == no_id) return false;
     const auto edge = ascending(fine.triangles[t][(c + 1) % 3], fine.triangles[t][(c + 2) % 3]);
     const auto at = fine.triangles_at(beyond);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/connectivity.h"
+#include "core/surface/substrate/surface_input.h"
+
+namespace geolloyd {
+
+/// A remesh in the unit frame, whose vertices are being moved.
+struct MovingRemesh : Mesh {
+  std::vector<Vec3> start;            ///< per vertex: where it was at first
+  std::vector<Vec3> vertex_normal;    ///< per vertex: the normal there at first
+  Bucketed<TriangleId> triangles_at;  ///< per vertex, ascending
+
+  MovingRemesh(const SurfaceFrame& frame, const Mesh& remesh, Executor& executor);
+
+  [[nodiscard]] Vec3 move_of(std::size_t v) const { return positions[v] - start[v]; }
+  [[nodiscard]] Vec3 normal_of(TriangleId t) const {
+    const auto& [a, b, c] = triangles[t];
+    return normalized(cross(positions[b] - positions[a], positions[c] - positions[a]));
+  }
+  /// What of a displacement is not along the normal.
+  [[nodiscard]] Vec3 sideways(std::size_t v, const Vec3& x) const {
+    return x - dot(x, vertex_normal[v]) * vertex_normal[v];
+  }
+};
+
+}  // namespace geolloyd
