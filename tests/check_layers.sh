@@ -17,8 +17,8 @@ function table() {
          "core/graph core/voronoi core/seeds core/lloyd core/regions core/start core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render tools/python " \
-         "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \
-         "tools/commands " \
+         "tools/system tools/files tools/cli tools/run tools/report tools/view " \
+         "tools/laboratory tools/commands " \
          "bench/support bench/suites bench/studies " \
          "tests/support tests/base tests/mesh tests/repair tests/formats tests/shapes tests/graph " \
          "tests/voronoi tests/seeds tests/lloyd tests/regions tests/surface tests/start tests/library tests/parallel tests/evaluation " \
@@ -36,7 +36,7 @@ function rules() {
   forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
   forbid("", "knows Cairo", "<cairo", "^tools/render$")
   forbid("", "knows Boost", "<boost/", "^tools/view$")
-  forbid("", "knows CLI11", "<CLI/", "^tools/(cli|commands)$")
+  forbid("", "knows CLI11", "<CLI/", "^tools/(cli|laboratory|commands)$")
   forbid("/include/", "is public, but includes what is not", "#include \"(core|parallel|tools)/", "")
   forbid("^bench/", "needs the tools", "#include \"tools/", "")
 }

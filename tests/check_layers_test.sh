@@ -30,6 +30,7 @@ finds parallel/threads/scheduler.h 'includes from a later room' '#include "paral
 finds tools/words/names.h 'includes from a later room' '#include "tools/cli/number_option.h"'
 finds tools/cli/number_option.h 'includes from a later room' '#include "tools/run/stages.h"'
 finds tests/support/naive.h 'includes from a later room' '#include "tests/fuzz/soup.h"'
+finds tools/run/input.h 'includes from a later room' '#include "tools/laboratory/laboratory.h"'
 finds core/base/types.h 'includes from no room' '#include "types.h"'
 finds core/base/types.h 'names a thread' '#include <thread>'
 finds core/graph/graph.h 'names an atomic' '#include <atomic>'

@@ -10,7 +10,6 @@
 #include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/run/frames.h"
-#include "tools/run/measured_run.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/names.h"
 

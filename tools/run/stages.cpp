@@ -9,6 +9,7 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/lloyd/reference_engine.h"
 #include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_topology.h"
@@ -16,9 +17,9 @@
 #include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
+#include "parallel/engine/parallel_engine.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
-#include "tools/run/measured_run.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -72,6 +73,12 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
+std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Scheduler& scheduler,
+                                    const Graph& graph) {
+  return kind == EngineKind::reference ? make_reference_engine(graph)
+                                       : make_parallel_engine(scheduler, graph, frontier);
+}
+
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
                               Scheduler& scheduler) {
@@ -114,16 +121,6 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
   if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);
   if (arguments.has_cross_field()) return cross_field(mesh, edges, executor);
   return read_tangent_field(arguments.vfield, mesh.vertex_count());
-}
-
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler) {
-  const std::uint64_t estimate =
-      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, scheduler);
-  announce_memory(loaded.input.file.string(), estimate);
-  return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
-                          graph_options(arguments, loaded, scheduler), scheduler),
-          estimate};
 }
 
 // What takes memory gives it back as soon as nothing needs it: most of the edges before the places

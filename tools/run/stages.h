@@ -21,6 +21,9 @@ namespace geolloyd {
 /// The threads that the command line asks for.
 Scheduler make_scheduler(const ThreadArguments& threads);
 
+std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Scheduler& scheduler,
+                                    const Graph& graph);
+
 /// What a command does with a graph, as far as its memory goes by that.
 struct Purpose {
   EngineKind engine = EngineKind::parallel;
@@ -38,16 +41,6 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
                               Scheduler& scheduler);
-
-struct BuiltGraph {
-  MeshGraph mesh_graph;
-  std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it with a single seed
-};
-
-/// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
-/// needs more memory than there is, whatever the number of seeds.
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler);
 
 /// All that there is before a relaxation begins.
 struct Start {

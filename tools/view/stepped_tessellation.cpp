@@ -12,7 +12,6 @@
 #include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"
-#include "tools/run/measured_run.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_limit.h"
 

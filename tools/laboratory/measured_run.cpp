@@ -1,18 +1,12 @@
-#include "tools/run/measured_run.h"
+#include "tools/laboratory/measured_run.h"
 
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/lloyd/reference_engine.h"
+#include "tools/run/stages.h"
 #include "tools/system/machine.h"
 
 namespace geolloyd {
-
-std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Scheduler& scheduler,
-                                    const Graph& graph) {
-  return kind == EngineKind::reference ? make_reference_engine(graph)
-                                       : make_parallel_engine(scheduler, graph, frontier);
-}
 
 MeasuredRun measure_run(EngineKind kind, Frontier frontier, Scheduler& scheduler,
                         const Graph& graph, std::vector<NodeId> seeds,

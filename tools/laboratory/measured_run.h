@@ -1,16 +1,13 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
-#include "parallel/engine/parallel_engine.h"
+#include "parallel/threads/scheduler.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
-
-std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Scheduler& scheduler,
-                                    const Graph& graph);
 
 /// A relaxation, how long it took, and the most memory the process held meanwhile.
 struct MeasuredRun {
