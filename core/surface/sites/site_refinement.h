@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/surface/features/feature_curves.h"
+#include "core/surface/features/patches.h"
 #include "core/surface/sites/level_mesh.h"
 #include "core/surface/sites/surface_sites.h"
 
