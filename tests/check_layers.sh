@@ -1,30 +1,81 @@
 #!/usr/bin/env bash
-# The order of the rooms, and what each room may know. `check_layers.sh FOLDER` looks at the project
-# in that folder, prints each line that breaks a rule, and fails if there is one.
+# The order of the rooms, their doors, and what each room may know. `check_layers.sh FOLDER` looks at
+# the project in that folder, prints each line that breaks a rule, and fails if there is one.
 set -u
 cd "$1" || exit 1
+
+# A room a line, in order: a file includes only from its own room and from the rooms above it.
+# After the colon, the doors: the headers, without ".h", that other rooms may include; without a
+# colon all are doors. Tests and benchmarks may look behind them.
+export rooms='
+core/include/geolloyd
+core/base
+core/text
+core/mesh
+core/repair: repair
+core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list
+core/shapes: shapes
+core/dual: dual_mesh region_surface seed_insertion
+core/surface/substrate: coarse_mesh fine_mesh surface_input
+core/surface/sizing
+core/surface/cells: cell_labels cell_pieces nearest_label paired_surface_engine reference_surface_engine surface_engine
+core/surface/features: creases patches
+core/surface/sites: site_balance site_levels
+core/surface/result: remesh site_places
+core/graph: components graph mesh_graph
+core/voronoi: dijkstra energy fingerprint forest growing_search partition subtree
+core/seeds: nearest_nodes seed_file seed_places seeds
+core/lloyd: engine paired_engine reference_engine relaxation seed_move
+core/regions: graph_dual regions_of_nodes tessellation
+core/start: first_seeds
+core/library
+parallel/include/geolloyd
+parallel/threads: atomic_key available_cores control_groups scheduler
+parallel/engine: parallel_engine parallel_growing_search
+parallel/surface
+parallel/library
+tools/include/geolloyd
+tools/words
+tools/evaluation: closest_places embree_scene ground_truth hexagonal_energy point_queries site_energy statistics surface_distance vertex_search
+tools/render: labels painters panel picture sheet surface_colours view
+tools/python
+tools/system
+tools/files
+tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
+tools/run: attribute_transfer checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
+tools/report
+tools/view: assets http_server layers page page_contents saving session
+tools/laboratory: laboratory
+tools/commands
+bench/support
+bench/suites
+bench/studies
+tests/support
+tests/base
+tests/mesh
+tests/repair
+tests/formats
+tests/shapes
+tests/graph
+tests/voronoi
+tests/seeds
+tests/lloyd
+tests/regions
+tests/surface
+tests/start
+tests/library
+tests/parallel
+tests/evaluation
+tests/program
+tests/view
+tests/golden
+tests/work
+tests/fuzz'
 
 # tests/consumer is somebody else's project.
 mapfile -d '' files < <(find core parallel tools bench tests \( -path tests/consumer -o -name node_modules \) -prune -o \
   \( -name '*.h' -o -name '*.cpp' \) -print0)
 awk '
-# A file includes only from its own room and from the rooms above it.
-function table() {
-  return "core/include/geolloyd " \
-         "core/base core/text core/mesh core/repair core/formats core/shapes core/dual " \
-         "core/surface/substrate core/surface/sizing core/surface/cells core/surface/features " \
-         "core/surface/sites core/surface/result " \
-         "core/graph core/voronoi core/seeds core/lloyd core/regions core/start core/library " \
-         "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
-         "tools/include/geolloyd tools/words tools/evaluation tools/render tools/python " \
-         "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \
-         "tools/commands " \
-         "bench/support bench/suites bench/studies " \
-         "tests/support tests/base tests/mesh tests/repair tests/formats tests/shapes tests/graph " \
-         "tests/voronoi tests/seeds tests/lloyd tests/regions tests/surface tests/start tests/library tests/parallel tests/evaluation " \
-         "tests/program tests/view tests/golden tests/work tests/fuzz"
-}
-
 # What no line of a room may do, but in the rooms named last.
 function rules() {
   forbid("^core/", "names a thread", "<(thread|mutex|future)>|std::(thread|jthread|mutex|async)", "")
@@ -36,7 +87,7 @@ function rules() {
   forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
   forbid("", "knows Cairo", "<cairo", "^tools/render$")
   forbid("", "knows Boost", "<boost/", "^tools/view$")
-  forbid("", "knows CLI11", "<CLI/", "^tools/(cli|commands)$")
+  forbid("", "knows CLI11", "<CLI/", "^tools/(cli|laboratory|commands)$")
   forbid("/include/", "is public, but includes what is not", "#include \"(core|parallel|tools)/", "")
   forbid("^bench/", "needs the tools", "#include \"tools/", "")
 }
@@ -48,9 +99,28 @@ function forbid(where, what, pattern, except) {
   except_[count_] = except
 }
 
+function read_table(  lines, part, doors, i, k) {
+  rooms = split(substr(ENVIRON["rooms"], 2), lines, "\n")
+  for (i = 1; i <= rooms; ++i) {
+    split(lines[i], part, ": ")
+    names[i] = part[1]
+    place[part[1]] = i
+    for (k = split(part[2], doors, " "); k > 0; --k) {
+      door[part[1], doors[k] ".h"]
+      missing[part[1] "/" doors[k] ".h"]
+    }
+    has_doors[part[1]] = index(lines[i], ":")
+  }
+}
+
 function complain(what) {
   printf "%s:%d: %s: %s\n", FILENAME, FNR, what, $0
   failed = 1
+}
+
+function name_of(path) {
+  sub("^.*/", "", path)
+  return path
 }
 
 function folder(path) {
@@ -64,10 +134,10 @@ function room_of(header) {
 }
 
 BEGIN {
-  rooms = split(table(), names, " ")
-  for (i = 1; i <= rooms; ++i) place[names[i]] = i
+  read_table()
   rules()
   for (i = 1; i < ARGC; ++i) {
+    delete missing[ARGV[i]]
     header = ARGV[i]
     if (sub("^.*/include/", "", header)) public_room[header] = folder(ARGV[i])
   }
@@ -89,6 +159,8 @@ FNR == 1 {
     complain("includes from no room")
   } else if (place[other] > place[room]) {
     complain("includes from a later room")
+  } else if (other != room && has_doors[other] && room !~ /^(bench|tests)/ && !((other, name_of(part[2])) in door)) {
+    complain("includes what is no door of its room")
   }
 }
 
@@ -102,6 +174,10 @@ END {
   for (i = 1; i <= rooms; ++i) {
     if (names[i] in seen) continue
     printf "%s: is in the table of %s, but holds no source\n", names[i], self
+    failed = 1
+  }
+  for (header in missing) {
+    printf "%s: is a door in the table of %s, but no file\n", header, self
     failed = 1
   }
   exit failed

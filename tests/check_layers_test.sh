@@ -25,11 +25,14 @@ finds() {  # file, what is said of it, line that is added to it
 }
 
 finds core/mesh/mesh.h 'includes from a later room' '#include "core/graph/graph.h"'
+finds core/regions/tessellation.cpp 'includes what is no door of its room' '#include "core/dual/surface_scan.h"'
+finds tools/cli/number_option.cpp 'includes what is no door of its room' '#include "core/graph/mesh_arcs.h"'
 finds core/regions/tessellation.cpp 'includes from a later room' '#include "parallel/threads/scheduler.h"'
 finds parallel/threads/scheduler.h 'includes from a later room' '#include "parallel/engine/parallel_engine.h"'
 finds tools/words/names.h 'includes from a later room' '#include "tools/cli/number_option.h"'
 finds tools/cli/number_option.h 'includes from a later room' '#include "tools/run/stages.h"'
 finds tests/support/naive.h 'includes from a later room' '#include "tests/fuzz/soup.h"'
+finds tools/run/input.h 'includes from a later room' '#include "tools/laboratory/laboratory.h"'
 finds core/base/types.h 'includes from no room' '#include "types.h"'
 finds core/base/types.h 'names a thread' '#include <thread>'
 finds core/graph/graph.h 'names an atomic' '#include <atomic>'
@@ -44,6 +47,8 @@ finds parallel/include/geolloyd/threads.h 'is public, but includes what is not' 
 finds core/attic/old.h 'the folder is not in the table of tests/check_layers.sh' '#include "core/base/types.h"'
 "$check" "$copy" || { echo 'the copy did not become whole again'; status=1; }
 
+rm "$copy/core/repair/repair.h"
+"$check" "$copy" | grep -qF 'core/repair/repair.h: is a door' || { echo 'a missing door is not found'; status=1; }
 rm -r "$copy/core/shapes"
 "$check" "$copy" | grep -qF 'core/shapes: is in the table' || { echo 'a missing room is not found'; status=1; }
 exit $status

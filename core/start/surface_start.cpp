@@ -6,7 +6,6 @@
 
 #include "core/base/buffer.h"
 #include "core/mesh/mesh_measure.h"
-#include "core/surface/sites/site_relaxer.h"
 #include "core/surface/sizing/field_metric.h"
 #include "core/surface/sizing/sizing.h"
 

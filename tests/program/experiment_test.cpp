@@ -9,8 +9,8 @@
 #include "geolloyd/errors.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
-#include "tools/experiments/batch.h"
-#include "tools/experiments/comparison.h"
+#include "tools/laboratory/batch.h"
+#include "tools/laboratory/comparison.h"
 #include "tools/files/csv.h"
 #include "tools/system/machine.h"
 

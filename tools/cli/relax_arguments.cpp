@@ -229,15 +229,6 @@ void check_seeds(const SeedArguments& seeds) {
   }
 }
 
-void check_same_course(const RelaxationArguments& relaxation) {
-  if (std::isfinite(relaxation.improvement.seconds)) {
-    throw InvalidInput(
-        "--improve with a limit in seconds: runs are compared, and each would end elsewhere: give "
-        "a "
-        "number of rounds");
-  }
-}
-
 namespace {
 
 // Of seeds from a file nobody knows how they were chosen.

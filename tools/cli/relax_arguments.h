@@ -142,8 +142,6 @@ void add_drop_option(CLI::App& command, bool& carries_properties);
 
 /// Throws InvalidInput where options contradict each other.
 void check_seeds(const SeedArguments& seeds);
-/// For runs that are to be alike. Throws InvalidInput where seconds limit the improvement.
-void check_same_course(const RelaxationArguments& relaxation);
 /// The options in force: --greedy auto goes by the seeds.
 RelaxationOptions relaxation_options(const SeedArguments& seeds,
                                      const RelaxationArguments& relaxation);

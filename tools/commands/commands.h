@@ -12,9 +12,6 @@ void add_remesh_command(CLI::App& program);
 void add_remesh_all_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_verify_command(CLI::App& program);
-void add_compare_command(CLI::App& program);
-void add_profile_command(CLI::App& program);
-void add_batch_command(CLI::App& program);
 void add_ground_truth_command(CLI::App& program);
 void add_generate_command(CLI::App& program);
 void add_subdivide_command(CLI::App& program);
@@ -25,8 +22,5 @@ void add_view_command(CLI::App& program);
 // Both print what is made of all commands of the program.
 void add_completion_command(CLI::App& program);
 void add_man_command(CLI::App& program);
-
-/// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.
-struct InterruptedExit {};
 
 }  // namespace geolloyd

@@ -8,8 +8,8 @@
 #include "tools/cli/folder_option.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
-#include "tools/experiments/experiment.h"
 #include "tools/report/ground_truth_output.h"
+#include "tools/report/heading.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
 

@@ -19,6 +19,7 @@
 #include "tools/cli/suggestion.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
+#include "tools/laboratory/laboratory.h"
 #include "tools/system/available_memory.h"
 #include "tools/system/build_facts.h"
 #include "tools/system/interrupt.h"

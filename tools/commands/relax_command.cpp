@@ -21,7 +21,6 @@
 #include "tools/report/report_parts.h"
 #include "tools/report/vtp_output.h"
 #include "tools/run/attribute_transfer.h"
-#include "tools/run/measured_run.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
 #include "tools/run/stages.h"

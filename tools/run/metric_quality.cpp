@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/loops.h"
-#include "core/surface/cells/cells.h"
+#include "core/surface/cells/surface_engine.h"
 #include "core/surface/result/site_places.h"
-#include "core/surface/sites/site_relaxer.h"
+#include "core/surface/sites/site_levels.h"
 #include "core/surface/sizing/field_metric.h"
 #include "core/surface/sizing/sizing.h"
 #include "core/surface/substrate/surface_input.h"

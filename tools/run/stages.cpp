@@ -9,6 +9,7 @@
 #include "core/graph/components.h"
 #include "core/graph/graph.h"
 #include "core/graph/mesh_graph.h"
+#include "core/library/reference_runtime.h"
 #include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_topology.h"
@@ -16,6 +17,7 @@
 #include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
+#include "geolloyd/threads.h"
 #include "tools/render/picture.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_estimate.h"
@@ -68,6 +70,11 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
+std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler) {
+  if (kind == EngineKind::reference) return std::make_unique<ReferenceRuntime>(scheduler);
+  return std::make_unique<Threads>(scheduler, frontier);
+}
+
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
                               Executor& executor) {
@@ -110,16 +117,6 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
   if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);
   if (arguments.has_cross_field()) return cross_field(mesh, edges, executor);
   return read_tangent_field(arguments.vfield, mesh.vertex_count());
-}
-
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Executor& executor) {
-  const std::uint64_t estimate =
-      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, executor);
-  announce_memory(loaded.input.file.string(), estimate);
-  return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
-                          graph_options(arguments, loaded, executor), executor),
-          estimate};
 }
 
 // What takes memory gives it back as soon as nothing needs it: most of the edges before the places

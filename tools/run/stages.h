@@ -22,6 +22,9 @@ namespace geolloyd {
 /// The threads that the command line asks for.
 Scheduler make_scheduler(const ThreadArguments& threads);
 
+/// The engines that --engine and --frontier name, on these threads, which must live on.
+std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler);
+
 /// What a command does with a graph, as far as its memory goes by that.
 struct Purpose {
   EngineKind engine = EngineKind::parallel;
@@ -39,16 +42,6 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
                               const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
                               Executor& executor);
-
-struct BuiltGraph {
-  MeshGraph mesh_graph;
-  std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it with a single seed
-};
-
-/// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
-/// needs more memory than there is, whatever the number of seeds.
-BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Executor& executor);
 
 /// All that there is before a relaxation begins.
 struct Start {

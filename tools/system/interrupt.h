@@ -3,7 +3,7 @@
 namespace geolloyd {
 
 // An interrupt is SIGINT, SIGTERM or SIGHUP; the last not where it was ignored when the program
-// began, as nohup has it.
+// began, as nohup has it. The note is a global: a handler of signals gets no argument of ours.
 
 /// From now on an interrupt ends the program at once, whatever it does, with one line on standard
 /// error and exit status 130. Nothing is lost by that before there are results: a file has no name
@@ -19,5 +19,8 @@ void catch_interrupts();
 
 /// True once an interrupt has been noted.
 bool interrupted();
+
+/// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.
+struct InterruptedExit {};
 
 }  // namespace geolloyd

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/graph/arc_length.h"
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "core/seeds/seed_file.h"

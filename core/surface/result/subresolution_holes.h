@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/surface/features/patches.h"
-#include "core/surface/sites/surface_sites.h"
+#include "core/surface/sites/site_levels.h"
 
 namespace geolloyd {
 

@@ -4,7 +4,6 @@
 #include "core/dual/dual_mesh.h"
 #include "core/surface/features/patches.h"
 #include "core/surface/sites/site_levels.h"
-#include "core/surface/sites/site_relaxer.h"
 
 namespace geolloyd {
 

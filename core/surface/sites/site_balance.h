@@ -3,8 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/cells/cells.h"
-#include "core/surface/cells/moments.h"
+#include "core/surface/cells/surface_engine.h"
 #include "core/surface/sites/level_mesh.h"
 #include "core/surface/sites/surface_sites.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/surface/features/curve_sites.h"
+#include "core/surface/features/patches.h"
 #include "core/surface/sites/level_mesh.h"
 #include "core/surface/sites/surface_sites.h"
 

@@ -1,4 +1,4 @@
-#include "tools/experiments/plot.h"
+#include "tools/laboratory/plot.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

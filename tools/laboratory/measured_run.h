@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
@@ -9,9 +9,6 @@
 #include "tools/words/names.h"
 
 namespace geolloyd {
-
-/// The engines that --engine and --frontier name, on these threads, which must live on.
-std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler);
 
 /// A relaxation, how long it took, and the most memory the process held meanwhile.
 struct MeasuredRun {

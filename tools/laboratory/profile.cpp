@@ -1,4 +1,4 @@
-#include "tools/experiments/profile.h"
+#include "tools/laboratory/profile.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,21 +1,39 @@
-#include "tools/experiments/experiment.h"
+#include "tools/laboratory/experiment.h"
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <system_error>
 
-#include "tools/experiments/plot.h"
+#include "geolloyd/errors.h"
+#include "tools/cli/folder_option.h"
+#include "tools/cli/summary_options.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
+#include "tools/laboratory/plot.h"
 #include "tools/system/interrupt.h"
-#include "tools/system/machine.h"
 #include "tools/system/summary.h"
-#include "tools/words/facts_text.h"
 
 namespace geolloyd {
+
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
+  folder_name(command.add_option("-o,--output", output.folder,
+                                 fmt::format("Folder for {0}.json, {0}.csv and pictures", name)));
+  add_json_option(command);
+  command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
+}
+
+void check_same_course(const RelaxationArguments& relaxation) {
+  if (std::isfinite(relaxation.improvement.seconds)) {
+    throw InvalidInput(
+        "--improve with a limit in seconds: runs are compared, and each would end elsewhere: give "
+        "a number of rounds");
+  }
+}
 
 void prepare_output(const ExperimentOutput& output, const std::string& name,
                     const StartArguments& arguments) {
@@ -58,23 +76,6 @@ ProgressCallback watcher(ProgressLine& progress, std::size_t seeds) {
 std::string duration_text(double seconds) {
   if (seconds < 1) return fmt::format("{:.4g} ms", seconds * 1e3);
   return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
-}
-
-void print_heading(const Start& start) {
-  const Graph& graph = start.mesh_graph.graph;
-  fmt::print("{}: {} graph, {}, {}, {}\n", start.input.file.string(),
-             name_of(graph_kind_names, start.mesh_graph.kind),
-             counted(graph.node_count(), "node", "nodes"),
-             counted(graph.arc_count(), "arc", "arcs"),
-             counted(start.seeds.size(), "seed", "seeds"));
-  if (start.seed_fit) fmt::print("{}", describe(*start.seed_fit, start.input.facts));
-  print_machine();
-}
-
-void print_machine() {
-  const Machine machine = this_machine();
-  fmt::print("{}, {} at once, {}\n\n", machine.processor,
-             counted(machine.threads, "thread", "threads"), machine.compiler);
 }
 
 }  // namespace geolloyd

@@ -1,4 +1,4 @@
-#include "tools/experiments/comparison.h"
+#include "tools/laboratory/comparison.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/experiments/experiment.h"
-#include "tools/run/measured_run.h"
+#include "tools/laboratory/experiment.h"
+#include "tools/laboratory/measured_run.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/facts_text.h"

@@ -6,14 +6,25 @@
 #include <utility>
 #include <vector>
 
-#include "tools/cli/experiment_output.h"
-#include "tools/report/report_parts.h"
-#include "tools/run/stages.h"
+#include "tools/cli/relax_arguments.h"
+#include "tools/files/json.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
 
 // What the commands that measure have in common: NAME.json, NAME.csv and pictures in a folder.
+
+/// Where a command that measures writes its results, and whether it draws them.
+struct ExperimentOutput {
+  std::filesystem::path folder;  ///< empty: nothing is written
+  bool no_plot = false;
+};
+
+/// Adds --output, --json and --no-plot to the command that writes NAME.json and NAME.csv.
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
+
+/// For runs that are to be alike. Throws InvalidInput where seconds limit the improvement.
+void check_same_course(const RelaxationArguments& relaxation);
 
 /// Makes sure that the files can be written and would replace no input.
 void prepare_output(const ExperimentOutput& output, const std::string& name,
@@ -42,11 +53,5 @@ ProgressCallback watcher(ProgressLine& progress, std::size_t seeds);
 
 /// "1.35 s", "24.5 ms".
 std::string duration_text(double seconds);
-
-/// A line that names mesh and graph, one on seeds given by position, and the next.
-void print_heading(const Start& start);
-
-/// A line that names the machine.
-void print_machine();
 
 }  // namespace geolloyd

@@ -6,9 +6,10 @@
 
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
-#include "tools/commands/commands.h"
-#include "tools/experiments/comparison.h"
-#include "tools/experiments/experiment.h"
+#include "tools/laboratory/comparison.h"
+#include "tools/laboratory/experiment.h"
+#include "tools/laboratory/laboratory.h"
+#include "tools/report/heading.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/facts_text.h"

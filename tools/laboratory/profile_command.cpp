@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
-#include "tools/commands/commands.h"
-#include "tools/experiments/experiment.h"
-#include "tools/experiments/profile.h"
-#include "tools/run/measured_run.h"
+#include "tools/laboratory/experiment.h"
+#include "tools/laboratory/laboratory.h"
+#include "tools/laboratory/measured_run.h"
+#include "tools/laboratory/profile.h"
+#include "tools/report/heading.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/facts_text.h"

@@ -1,4 +1,4 @@
-#include "tools/experiments/first_seeds.h"
+#include "tools/laboratory/first_seeds.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/experiments/batch.h"
+#include "tools/laboratory/batch.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "tools/cli/cli_fwd.h"
+
+namespace geolloyd {
+
+// The commands that measure the engines and heuristics. Nothing else in the program needs them:
+// whoever leaves this room out loses these three commands.
+
+void add_compare_command(CLI::App& program);
+void add_profile_command(CLI::App& program);
+void add_batch_command(CLI::App& program);
+
+}  // namespace geolloyd
