@@ -29,7 +29,7 @@ struct FitResult {
 /// mean quality of triangles within 0.0008 or, where the surface is too curved for that, 0.005. No
 /// angle gets smaller than the smallest one was, less 2 degrees, and no triangle turns by more than
 /// 30 degrees. Quality and angles are those in `metric`, of each vertex of the remesh, if there is
-/// one. All stay where the sum or the largest distance would grow.
+/// one. If the sum or the largest distance would grow, nothing moves.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
                          Executor& executor = sequential());
