@@ -26,10 +26,10 @@ class DeltaStepping {
   /// nodes pass through the buckets, so each gives its memory back once it is done.
   void search(std::span<const NodeId> seeds, std::vector<Key>& keys);
 
-  /// From `keys` that are upper bounds: 0 at seeds, not below what they come down to, and to be
-  /// lowered by no arc but those at nodes of the `suspects`. Regions may also be locked ones, of a
-  /// graph that has no arcs between them.
-  /// Sets `is_changed` of each region that a node of it changed in, left or joined.
+  /// From `keys` that are upper bounds of the final keys: 0 at seeds, and to be lowered by no arc
+  /// but those at nodes of the `suspects`. Regions may also be locked ones, of a graph that has no
+  /// arcs between them. Sets `is_changed` of each region that a node of it changed in, left or
+  /// joined.
   void repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
               std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed);
 

@@ -6,8 +6,8 @@
 
 namespace geolloyd {
 
-// Keys that several threads read and lower at once. What they come down to does not depend on the
-// order, so no order is asked for; the end of a parallel loop makes them visible to all.
+// Keys that several threads read and lower at once. The final keys do not depend on the order,
+// so no order is asked for; the end of a parallel loop makes them visible to all.
 
 inline Key load_key(const Key& key) {
   return std::atomic_ref(const_cast<Key&>(key)).load(std::memory_order_relaxed);

@@ -106,7 +106,7 @@ TEST_F(ScriptHabits, AVtpFileHasANameThatProgramsKnow) {
   EXPECT_NE(read_file(in("regions.vtp")).find("Name=\"distance\""), std::string::npos);
 }
 
-// The table in tools/commands/README.md; 130 is in interruption_test.cpp.
+// The table in tools/commands/conventions.md; 130 is in interruption_test.cpp.
 TEST_F(ScriptHabits, ExitCodesAreThoseOfTheTable) {
   const std::string mesh = mesh_.string();
   EXPECT_EQ(geolloyd_with("info " + mesh).status, 0);

@@ -74,7 +74,7 @@ void add_init_options(CLI::App& command, SeedArguments& seeds) {
 void add_graph_options(CLI::App& command, GraphArguments& graph) {
   add_choice(command, "-g,--graph", graph.kind, graph_kind_names,
              "Nodes of the graph; dense graphs join more of them, and\n"
-             "vertex-far all that see each other across up to five edges")
+             "vertex-far adds geodesic shortcuts across up to five edges")
       ->group(graph_group);
   add_metric_options(command, graph);
 }

@@ -71,8 +71,8 @@ void add_size_file_options(CLI::App& command, SizingArguments& sizing) {
       ->group(sizing_group);
   command
       .add_option("--density", sizing.densities_file,
-                  "File of densities, in the same form: edges are as long as\n"
-                  "density^(-1/4) has it")
+                  "File of densities, in the same form: lengths of edges are\n"
+                  "proportional to density^(-1/4)")
       ->type_name("FILE")
       ->group(sizing_group);
 }
@@ -88,8 +88,8 @@ void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
             }
             sizing.adapt = *value;
           },
-          "Shorter edges where the surface is curved: as long as\n"
-          "curvature^(-G/2) has it. 0: the same everywhere")
+          "Shorter edges where the surface is curved: lengths are\n"
+          "proportional to curvature^(-G/2). 0: the same everywhere")
       ->type_name("G")
       ->group(sizing_group);
   command
@@ -102,8 +102,7 @@ void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
             }
             sizing.growth = *value;
           },
-          "How many times longer than an edge the next one may be, where\n"
-          "lengths vary")
+          "Maximum ratio of the lengths of adjacent edges, where lengths vary")
       ->type_name("FACTOR")
       ->default_str("1.12")
       ->group(sizing_group);
@@ -139,7 +138,7 @@ void add_feature_options(CLI::App& command, FeatureArguments& features) {
             }
           },
           "Sharp edges that the remesh keeps: auto finds those that stand\n"
-          "out, an angle in degrees takes all that turn as much")
+          "out, an angle in degrees takes all edges that turn so far")
       ->type_name("auto|off|ANGLE")
       ->default_str("auto")
       ->group(feature_group);

@@ -48,8 +48,8 @@ void add_hole_option(CLI::App& command, RepairArguments& repair) {
             repair.options = parse_hole_size(text);
             repair.has_hole_size = true;
           },
-          "Largest holes to fill: so many edges, or so long around in % of\n"
-          "the diagonal of their component's bounding box")
+          "Largest holes to fill: a number of edges, or a length around in %\n"
+          "of the diagonal of their component's bounding box")
       ->type_name("EDGES|LENGTH%|off")
       ->default_str(name_of_hole_size({}))
       ->group(repair_group);

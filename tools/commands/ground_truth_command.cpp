@@ -57,7 +57,7 @@ void run_ground_truth(const GroundTruthArguments& a) {
 
 void add_ground_truth_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "ground-truth", "Compare the regions of seeds with regions by Euclidean distance");
+      "ground-truth", "Compare the regions of seeds with their Euclidean Voronoi diagram");
   const auto arguments = std::make_shared<GroundTruthArguments>();
   add_mesh_argument(*command, arguments->start);
   folder_name(command->add_option("-o,--output", arguments->output,

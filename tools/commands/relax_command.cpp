@@ -315,7 +315,7 @@ void add_relax_command(CLI::App& program) {
       ->required();
   add_choice_list(*command, "--only", arguments->only, relax_output_names,
                   "Write only these of them, separated by commas, and leave out what\n"
-                  "only the others need. Those of an earlier run go");
+                  "only the others need. Those of an earlier run are removed");
   command
       ->add_option("--vtp", arguments->vtp_file,
                    "VTP file, for ParaView and VTK: the mesh with region and distance to\n"
@@ -330,7 +330,7 @@ void add_relax_command(CLI::App& program) {
                    "HTML file that shows the result and its course in a browser")
       ->type_name("FILE");
   command->add_flag("--ground-truth", arguments->ground_truth,
-                    "Compare the result with regions by Euclidean distance");
+                    "Compare the result with the Euclidean Voronoi diagram of its seeds");
   time_in_seconds(
       command->add_option("--checkpoint", arguments->checkpoint_seconds,
                           "Seconds between checkpoints, from which --resume goes on (0: a\n"

@@ -299,7 +299,7 @@ void add_remesh_all_command(CLI::App& program) {
          written_format_names);
   add_json_option(*command);
   command->add_flag("--reports", a->has_reports,
-                    "For each remesh a report, NAME.json, as remesh --report has it");
+                    "For each remesh a report, NAME.json, like that of remesh --report");
   add_adapt_options(*command, a->each.sizing);
   add_field_option(*command, a->each.field,
                    "Triangles regular in the metric of the surface's own curvatures.\n"

@@ -80,7 +80,7 @@ void add_remesh_command(CLI::App& program) {
   command
       ->add_option("--map", a->map_file,
                    "CSV file that tells where on the input each vertex is: a\n"
-                   "triangle, and the weights of its corners")
+                   "triangle, and barycentric coordinates in it")
       ->type_name("FILE");
   command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
       ->type_name("FILE");

@@ -81,7 +81,7 @@ void add_view_command(CLI::App& program) {
   add_mesh_argument(*command, a->start);
   folder_name(command->add_option("-o,--output", a->output,
                                   "Folder that results, pictures and pages are saved into"));
-  command->add_flag("!--no-open", a->opens, "Print the address, and let nobody open it");
+  command->add_flag("!--no-open", a->opens, "Print the address, and do not open a browser");
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
   add_choice(*command, "--greedy", a->greedy, greedy_choice_names,

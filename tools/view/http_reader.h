@@ -22,7 +22,7 @@ class HttpReader {
 
   /// Returns true once the request is complete, or is none.
   bool put(std::string_view bytes);
-  /// Of a request that is none, or is too large: what to answer.
+  /// Response to a malformed request, or one that is too large.
   [[nodiscard]] const std::optional<HttpResponse>& refusal() const { return refusal_; }
   [[nodiscard]] bool is_complete() const;
   /// Of a complete one, once.

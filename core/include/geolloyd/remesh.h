@@ -54,7 +54,7 @@ struct SizingOptions {
                                      ///< length is given, too
   std::vector<double> densities;  ///< per vertex: lengths in proportion to density^(-1/4); above 0
   double adapt = 0;               ///< lengths in proportion to curvature^(-adapt/2); up to 2
-  double growth = 1.12;  ///< how many times longer than an edge the next one may be; above 1
+  double growth = 1.12;           ///< maximum ratio of the lengths of adjacent edges; above 1
 };
 
 /// `vertex_count` or `edge_length` is given, or SizingOptions::edge_lengths alone; what is not

@@ -16,8 +16,8 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
                                       const std::vector<RegionId>& labels,
                                       Executor& executor = sequential());
 
-/// Puts the first places, which are those of corners (vertices of `input.fine`), exactly on the
-/// mesh's vertices, where corners are such.
+/// Snaps the first places, which are those of corners (vertices of `input.fine`), to coinciding
+/// vertices of the mesh.
 void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
                    std::vector<SurfacePoint>& places);
 

@@ -32,9 +32,9 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
     features : sharp edges to keep: "auto", "off", or an angle in degrees
     feature_edges : (k, 2) ids of vertices: further edges to keep
     labels : (m,) whole numbers: borders between them are kept
-    density : (n,) numbers above 0: edges are as long as density^(-1/4) has it
-    adapt : 0 to 2: edges are as long as curvature^(-adapt/2) has it
-    growth : how many times longer than an edge the next one may be, where lengths vary
+    density : (n,) numbers above 0: lengths of edges are proportional to density^(-1/4)
+    adapt : 0 to 2: lengths of edges are proportional to curvature^(-adapt/2)
+    growth : maximum ratio of the lengths of adjacent edges, where lengths vary
     fixed : (k,) ids of vertices to keep where they are
     fit : move vertices off the surface in the end, where that brings the faces closer
     progress : is called now and then with a RemeshProgress; what returns False ends the moving of vertices
