@@ -19,8 +19,8 @@ core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
 core/surface/sizing
 core/surface/cells: cell_labels cell_pieces nearest_label paired_surface_engine reference_surface_engine surface_engine
-core/surface/features: creases patches
-core/surface/sites: site_balance site_levels
+core/surface/features: creases curve_sites feature_curves patches
+core/surface/sites: site_balance site_levels site_relaxer
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph
 core/voronoi: dijkstra energy fingerprint forest growing_search partition subtree
