@@ -127,12 +127,12 @@ void find_totals_in_parallel(Run& run) {
   find_region_nodes(scheduler, solved.partition.key, regions, members);
   std::vector<RegionId> all(regions);
   std::iota(all.begin(), all.end(), RegionId{0});
-  const std::vector<Piece> pieces = cut_into_pieces(members, all);
+  const std::vector<RegionSlice> slices = cut_into_slices(members, all);
   Partition partition{solved.partition.key, std::vector<NodeId>(graph.node_count(), no_id)};
   RegionTotals totals{std::vector<Score>(regions), std::vector<std::uint64_t>(regions)};
   KernelSeconds seconds;
   const auto work = [&] {
-    derive_parents_and_totals(scheduler, graph, members, pieces, partition, totals, seconds);
+    derive_parents_and_totals(scheduler, graph, members, slices, partition, totals, seconds);
   };
   run.verify("not the parents or totals of the sequential code", [&] {
     work();

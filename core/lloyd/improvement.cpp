@@ -39,9 +39,9 @@ std::vector<NodeId> farthest_nodes(const ScoredPartition& partition) {
   return farthest;
 }
 
-class Disturbance {
+class Perturbation {
  public:
-  Disturbance(const Graph& graph, const ScoredPartition& base, std::uint64_t round)
+  Perturbation(const Graph& graph, const ScoredPartition& base, std::uint64_t round)
       : base_(base),
         round_(round),
         adjacent_(adjacent_regions(graph, base)),
@@ -141,13 +141,13 @@ class Disturbance {
   std::vector<std::vector<RegionId>> adjacent_;
   std::vector<NodeId> farthest_;
   std::vector<NodeId> seeds_;
-  std::vector<std::uint8_t> is_taken_;  // per region: part of a disturbance
+  std::vector<std::uint8_t> is_taken_;  // per region: part of a perturbation
 };
 
 }  // namespace
 
-std::vector<NodeId> disturb(const Graph& graph, const ScoredPartition& base, std::uint64_t round) {
-  return Disturbance(graph, base, round).make();
+std::vector<NodeId> perturb(const Graph& graph, const ScoredPartition& base, std::uint64_t round) {
+  return Perturbation(graph, base, round).make();
 }
 
 std::vector<std::uint8_t> lower_clusters(const ScoredPartition& base,

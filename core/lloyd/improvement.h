@@ -22,7 +22,7 @@ struct ScoredPartition {
 /// two regions or more apart, move to a random place in their region; regions without six
 /// neighbours come first. Random numbers go by `round`. Different nodes; each component keeps a
 /// seed.
-std::vector<NodeId> disturb(const Graph& graph, const ScoredPartition& base, std::uint64_t round);
+std::vector<NodeId> perturb(const Graph& graph, const ScoredPartition& base, std::uint64_t round);
 
 /// Clusters are regions between which nodes changed hands from `base` to `other`. No node outside
 /// of a cluster has noticed it, so each cluster can have the seeds of that partition in which its

@@ -192,12 +192,12 @@ class LloydLoop {
     return goes_on;
   }
 
-  // One round: disturbs the seeds, relaxes them, and keeps what costs less than before.
+  // One round: perturbs the seeds, relaxes them, and keeps what costs less than before.
   bool improve() {
     const ScoredPartition base = partitioned(state_.seeds);
     next_.scores = state_.last_scores;
-    next_.seeds = disturb(graph_, base, next_number(Phase::improvement));
-    if (!relax_disturbed()) return false;
+    next_.seeds = perturb(graph_, base, next_number(Phase::improvement));
+    if (!relax_perturbed()) return false;
     const std::vector<std::uint8_t> is_lower = lower_clusters(base, partitioned(next_.seeds));
     for (std::size_t r = 0; r < is_lower.size(); ++r) {
       if (is_lower[r] != 0) continue;
@@ -208,7 +208,7 @@ class LloydLoop {
   }
 
   // What has not come to rest after some macrosteps goes on in the next round, if it is kept.
-  bool relax_disturbed() {
+  bool relax_perturbed() {
     constexpr int most_macrosteps = 5;
     std::vector<NodeId> before;
     for (int i = 0; i < most_macrosteps && next_.seeds != before; ++i) {

@@ -72,7 +72,7 @@ using StepCallback = std::function<void(const RelaxationState&)>;
 /// phase (design: canonical definition; thesis, relaxation). `engine` works on `graph`. The result
 /// is the best state met, also where the relaxation converges: the greedy phase may raise the
 /// score. Where no seed moves, the score is a local minimum. Rounds of improvement leave it: each
-/// disturbs the seeds (improvement.h), takes up to five macrosteps, and keeps the clusters of
+/// perturbs the seeds (improvement.h), takes up to five macrosteps, and keeps the clusters of
 /// regions that cost less than before. So no round raises the score.
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
                  const RelaxationOptions& options, const ProgressCallback& observer = {});

@@ -10,7 +10,7 @@ namespace geolloyd {
 /// (not negative, at most 1 together up to rounding). The best of three points on its edges and of
 /// the foot of the perpendicular where that is inside: no triangle is so thin, however its weights
 /// are rounded, that the result would not be close to the best.
-inline std::array<double, 2> weights_closest_to_origin(const std::array<Vec3, 3>& corner) {
+inline std::array<double, 2> barycentric_closest_to_origin(const std::array<Vec3, 3>& corner) {
   const Vec3& a = corner[0];
   const Vec3& b = corner[1];
   const Vec3& c = corner[2];

@@ -21,7 +21,8 @@ inline constexpr double most_stretch = 4;
 /// The curvature is that of edges, by their bends, over the area around a vertex (Cohen-Steiner and
 /// Morvan 2003), each bend as the chord between unit normals. It is averaged over some five edges,
 /// as tensors transported from plane to plane. That needs no orientation of the surface.
-/// Non-manifold edges have no bend. O(triangles).
+/// Non-manifold edges have no bend. O(triangles). How curved a surface is at the scale of a remesh
+/// is another question (core/surface/sizing/curvature.h).
 std::vector<TangentSpace> curvature_field(const Mesh& mesh, const MeshEdges& edges,
                                           Executor& executor = sequential());
 

@@ -137,7 +137,7 @@ MeshQuality measure_quality(const Mesh& mesh, const MeshEdges& edges,
   return quality;
 }
 
-MeshQuality measure_quality(const Mesh& mesh) {
+MeshQuality quality(const Mesh& mesh) {
   validate_contents(mesh);
   return measure_quality(mesh, find_edges(mesh));
 }

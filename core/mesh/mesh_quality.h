@@ -7,7 +7,7 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/metric.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 
 namespace geolloyd {
 

@@ -5,7 +5,7 @@
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 
 namespace geolloyd {
 

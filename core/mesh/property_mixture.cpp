@@ -123,7 +123,7 @@ Mixture mixture_at(const Mesh& mesh, const SurfacePoint& place) {
   Mixture mixture{};
   if (place.triangle == no_id) return mixture;
   for (std::size_t c = 0; c < 3; ++c) {
-    mixture[c] = {mesh.triangles[place.triangle][c], place.weights[c]};
+    mixture[c] = {mesh.triangles[place.triangle][c], place.barycentric[c]};
   }
   return mixture;
 }

@@ -22,7 +22,7 @@ struct Share {
 /// for rounding; what has no weight does not count.
 using Mixture = std::array<Share, 4>;
 
-/// Corners of a triangle by their weights; nothing for a point of no triangle.
+/// Corners of a triangle by barycentric coordinates; nothing for a point of no triangle.
 Mixture mixture_at(const Mesh& mesh, const SurfacePoint& place);
 
 /// Properties of items that are mixtures. Numbers are weighted means, so a linear function stays

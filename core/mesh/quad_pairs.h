@@ -31,7 +31,7 @@ struct QuadPairs {
 /// convex seen along the normal of its diagonals, has corners of 30 to 150 degrees, and bends by 60
 /// degrees at most. Vertices off the boundary keep three edges. First the pairs whose worst corner
 /// is nearest to a right angle, ties to the smaller edge. Then two unpaired triangles with a pair
-/// between them become two pairs, as long as there are such. O(triangles log triangles).
+/// between them become two pairs, while there are any. O(triangles log triangles).
 QuadPairs pair_triangles(const Mesh& mesh, const MeshEdges& edges);
 
 }  // namespace geolloyd

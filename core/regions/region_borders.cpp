@@ -10,8 +10,8 @@ using Edge = std::array<PointId, 2>;  // ascending
 using Place = std::uint32_t;          // number of a cut edge
 
 // The cuts of one triangle between two regions, or of a corner between three.
-struct Piece {
-  std::array<Place, 3> cuts = {no_id, no_id, no_id};  // the last only of a corner
+struct TriangleCuts {
+  std::array<Place, 3> places = {no_id, no_id, no_id};  // the last only of a corner
 };
 
 class Borders {
@@ -23,7 +23,7 @@ class Borders {
     gather();
     constexpr int passes = 6;
     for (int pass = 0; pass < passes; ++pass) smooth();
-    for (const Piece& piece : pieces_) measure(piece);
+    for (const TriangleCuts& cuts : cuts_) measure(cuts);
     for (const IrregularEdge& edge : surface_.irregular_edges) {
       if (edge.triangles == 1) follow_boundary(edge.ends[0], edge.ends[1]);
     }
@@ -51,13 +51,13 @@ class Borders {
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
     for (const Edge& e : edges_) at_.push_back(cut(e[0], e[1]));
     for (const std::array<Edge, 3>& cut : edges_of) {
-      Piece piece;
+      TriangleCuts cuts;
       const std::size_t count = cut[2] == Edge{} ? 2 : 3;
       for (std::size_t i = 0; i < count; ++i) {
-        piece.cuts[i] = static_cast<Place>(std::lower_bound(edges_.begin(), edges_.end(), cut[i]) -
-                                           edges_.begin());
+        cuts.places[i] = static_cast<Place>(std::lower_bound(edges_.begin(), edges_.end(), cut[i]) -
+                                            edges_.begin());
       }
-      pieces_.push_back(piece);
+      cuts_.push_back(cuts);
     }
   }
 
@@ -79,14 +79,14 @@ class Borders {
       sum[a] += b;
       ++neighbours[a];
     };
-    for (const Piece& piece : pieces_) {
-      const auto [a, b, c] = piece.cuts;
+    for (const TriangleCuts& cuts : cuts_) {
+      const auto [a, b, c] = cuts.places;
       if (c == no_id) {
         join(a, at_[b]);
         join(b, at_[a]);
       } else {
         const Vec3 middle = (at_[a] + at_[b] + at_[c]) / 3;
-        for (const Place p : piece.cuts) join(p, middle);
+        for (const Place p : cuts.places) join(p, middle);
       }
     }
     for (std::size_t i = 0; i < at_.size(); ++i) {
@@ -100,14 +100,14 @@ class Borders {
     }
   }
 
-  void measure(const Piece& piece) {
-    const auto [a, b, c] = piece.cuts;
+  void measure(const TriangleCuts& cuts) {
+    const auto [a, b, c] = cuts.places;
     if (c == no_id) {
       add(a, norm(at_[a] - at_[b]));
       return;
     }
     const Vec3 middle = (at_[a] + at_[b] + at_[c]) / 3;
-    for (const Place p : piece.cuts) add(p, norm(at_[p] - middle));
+    for (const Place p : cuts.places) add(p, norm(at_[p] - middle));
   }
 
   void follow_boundary(PointId a, PointId b) {
@@ -121,7 +121,7 @@ class Borders {
   std::vector<double> length_;
   std::vector<Edge> edges_;  // between two regions, ascending
   std::vector<Vec3> at_;     // per edge: where it is cut
-  std::vector<Piece> pieces_;
+  std::vector<TriangleCuts> cuts_;
 };
 
 }  // namespace

@@ -19,8 +19,8 @@ void check_seed_count(const Graph& graph, const Components& components, std::siz
 
 /// `count` different nodes. Each component gets one, each further seed goes to the component with
 /// the most mass per seed. The same for the same arguments everywhere; ties go to the smaller node.
-/// The ways that need a mesh (start/first_seeds.h) choose farthest points here. Throws as
-/// check_seed_count.
+/// The ways that need a mesh (start/first_seeds.h) choose farthest points here, without one. Throws
+/// as check_seed_count.
 std::vector<NodeId> choose_seeds(const Graph& graph, const Components& components, SeedInit init,
                                  std::size_t count, std::uint64_t random_seed,
                                  Runtime& runtime = reference_runtime());

@@ -68,7 +68,7 @@ void DeltaStepping::release_memory() {
   for (Buckets& b : buckets_) b = {};
 }
 
-void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
+void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const RegionSlice> suspects,
                            std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed) {
   begin();
   const auto note_change = [&](Buckets&, NodeId, Key before, Key after) {
@@ -78,7 +78,7 @@ void DeltaStepping::repair(const RegionNodes& region_nodes, std::span<const Piec
   parallel_for_ranges(scheduler_, suspects.size(), grain_of(suspects),
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         for (std::size_t i = begin; i < end; ++i) {
-                          examine_piece(region_nodes, suspects[i], keys, buckets_[worker],
+                          examine_slice(region_nodes, suspects[i], keys, buckets_[worker],
                                         note_change);
                         }
                       });
@@ -168,13 +168,13 @@ void DeltaStepping::offer_all(NodeId v, Key own, std::vector<Key>& keys, Buckets
   }
 }
 
-// Around a region that is one piece, all that follows is done at once, while it is in the cache; of
+// Around a region that is one slice, all that follows is done at once, while it is in the cache; of
 // larger ones it is left to all threads.
 template <class OnLowered>
-void DeltaStepping::examine_piece(const RegionNodes& region_nodes, const Piece& piece,
+void DeltaStepping::examine_slice(const RegionNodes& region_nodes, const RegionSlice& slice,
                                   std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered) {
-  for (const NodeId v : nodes_of(region_nodes, piece)) examine(v, keys, mine, on_lowered);
-  if (!is_whole(region_nodes, piece)) return;
+  for (const NodeId v : nodes_of(region_nodes, slice)) examine(v, keys, mine, on_lowered);
+  if (!is_whole(region_nodes, slice)) return;
   for (std::size_t bucket = mine.first; bucket < mine.end; ++bucket) {
     relax_alone(bucket, keys, mine, no_id, on_lowered);
   }

@@ -30,7 +30,7 @@ class DeltaStepping {
   /// but those at nodes of the `suspects`. Regions may also be locked ones, of a graph that has no
   /// arcs between them. Sets `is_changed` of each region that a node of it changed in, left or
   /// joined.
-  void repair(const RegionNodes& region_nodes, std::span<const Piece> suspects,
+  void repair(const RegionNodes& region_nodes, std::span<const RegionSlice> suspects,
               std::vector<Key>& keys, std::vector<std::uint8_t>& is_changed);
 
   /// From `keys` that are such bounds, to be lowered by no arc but those that leave `sources`.
@@ -76,8 +76,8 @@ class DeltaStepping {
   void relax_alone(std::size_t bucket, std::vector<Key>& keys, Buckets& mine, std::size_t few,
                    OnLowered&& on_lowered);
   template <class OnLowered>
-  void examine_piece(const RegionNodes& region_nodes, const Piece& piece, std::vector<Key>& keys,
-                     Buckets& mine, OnLowered&& on_lowered);
+  void examine_slice(const RegionNodes& region_nodes, const RegionSlice& slice,
+                     std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   template <class OnLowered>
   void examine(NodeId v, std::vector<Key>& keys, Buckets& mine, OnLowered&& on_lowered);
   template <class OnLowered>

@@ -53,7 +53,7 @@ std::vector<RegionId> IncrementalPartition::update_sums() {
   sums_.mass.resize(graph_.node_count());
   std::vector<RegionId> regions = regions_where(has_sums_, false);
   find_branches(scheduler_, graph_, seeds_, partition_, region_nodes_,
-                cut_into_pieces(region_nodes_, regions), branch_of_, sums_);
+                cut_into_slices(region_nodes_, regions), branch_of_, sums_);
   has_sums_.assign(seeds_.size(), 1);
   return regions;
 }
@@ -134,7 +134,7 @@ bool IncrementalPartition::search_from_last(std::span<const NodeId> seeds) {
   }
   const std::vector<RegionId> suspects = regions_where(is_changed_, true);
   add_regions(seeds.size());
-  delta_stepping_.repair(region_nodes_, cut_into_pieces(region_nodes_, suspects), partition_.key,
+  delta_stepping_.repair(region_nodes_, cut_into_slices(region_nodes_, suspects), partition_.key,
                          is_changed_);
   return !is_vacant(left);
 }
@@ -157,10 +157,10 @@ void IncrementalPartition::shift_keys(std::span<const RegionId> moved,
       find_branches_below(graph_, partition_, seeds_[r], branch_of_, seeds[r], shift_of[i].below);
     }
   });
-  const std::vector<Piece> pieces = cut_into_pieces(region_nodes_, moved);
-  parallel_for(scheduler_, pieces.size(), grain_of(pieces), [&](std::size_t i) {
-    const Shift& shift = shift_of[place[pieces[i].region]];
-    for (const NodeId v : nodes_of(region_nodes_, pieces[i])) {
+  const std::vector<RegionSlice> slices = cut_into_slices(region_nodes_, moved);
+  parallel_for(scheduler_, slices.size(), grain_of(slices), [&](std::size_t i) {
+    const Shift& shift = shift_of[place[slices[i].region]];
+    for (const NodeId v : nodes_of(region_nodes_, slices[i])) {
       Key& key = partition_.key[v];
       key = bound_after_move(key, branch_of_[v], shift.below, shift.way);
     }
@@ -200,7 +200,7 @@ void IncrementalPartition::add_regions(std::size_t count) {
 void IncrementalPartition::derive_changed() {
   const std::vector<RegionId> changed = regions_where(is_changed_, true);
   derive_parents_and_totals(scheduler_, graph_, region_nodes_,
-                            cut_into_pieces(region_nodes_, changed), partition_, totals_, seconds_);
+                            cut_into_slices(region_nodes_, changed), partition_, totals_, seconds_);
   for (const RegionId r : changed) has_sums_[r] = 0;
   is_changed_.assign(seeds_.size(), 0);
 }

@@ -21,7 +21,7 @@ LargeRegionSearch::LargeRegionSearch(Scheduler& scheduler, const Graph& graph)
   region_nodes_.node.resize(graph.node_count());
   std::iota(region_nodes_.node.begin(), region_nodes_.node.end(), NodeId{0});
   constexpr RegionId only = 0;
-  pieces_ = cut_into_pieces(region_nodes_, {&only, 1});
+  slices_ = cut_into_slices(region_nodes_, {&only, 1});
 }
 
 void LargeRegionSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
@@ -52,15 +52,15 @@ void LargeRegionSearch::run(const Partition& partition, NodeId stand, const Bran
 }
 
 void LargeRegionSearch::derive_parents(Partition& partition) {
-  parallel_for(scheduler_, pieces_.size(), 1, [&](std::size_t i) {
-    geolloyd::derive_parents(graph_, partition.key, nodes_of(region_nodes_, pieces_[i]),
+  parallel_for(scheduler_, slices_.size(), 1, [&](std::size_t i) {
+    geolloyd::derive_parents(graph_, partition.key, nodes_of(region_nodes_, slices_[i]),
                              partition.parent);
   });
 }
 
 void LargeRegionSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
                                   SubtreeSums& sums) {
-  find_branches(scheduler_, graph_, {&stand, 1}, partition, region_nodes_, pieces_, branch_of,
+  find_branches(scheduler_, graph_, {&stand, 1}, partition, region_nodes_, slices_, branch_of,
                 sums);
 }
 

@@ -41,7 +41,7 @@ class LargeRegionSearch {
   const Graph& graph_;
   DeltaStepping delta_stepping_;
   RegionNodes region_nodes_;  // one region: all nodes
-  std::vector<Piece> pieces_;
+  std::vector<RegionSlice> slices_;
   std::vector<Key> keys_;
   // To the source than to the stand, by as much as these are apart.
   std::vector<NodeId> nearer_;

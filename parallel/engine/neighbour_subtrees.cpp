@@ -95,10 +95,10 @@ namespace {
 
 // Consecutive parts of a region in one, until it has as many nodes as the seed has arcs: so sums
 // never take more memory than nodes, even around a seed with millions of neighbours.
-std::vector<Piece> join_parts(const Graph& graph, std::span<const NodeId> seeds,
-                              std::span<const Piece> parts) {
-  std::vector<Piece> joined;
-  for (const Piece& p : parts) {
+std::vector<RegionSlice> join_parts(const Graph& graph, std::span<const NodeId> seeds,
+                                    std::span<const RegionSlice> parts) {
+  std::vector<RegionSlice> joined;
+  for (const RegionSlice& p : parts) {
     const bool extends =
         !joined.empty() && joined.back().region == p.region &&
         joined.back().end - joined.back().begin < graph.neighbours(seeds[p.region]).size();
@@ -114,9 +114,9 @@ std::vector<Piece> join_parts(const Graph& graph, std::span<const NodeId> seeds,
 // Several threads to a region: each step is done for all before the next begins.
 void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                             const Partition& partition, const RegionNodes& region_nodes,
-                            std::span<const Piece> pieces, BranchOf& branch_of,
+                            std::span<const RegionSlice> slices, BranchOf& branch_of,
                             SubtreeSums& sums_at) {
-  const std::vector<Piece> parts = join_parts(graph, seeds, pieces);
+  const std::vector<RegionSlice> parts = join_parts(graph, seeds, slices);
   const auto is_first = [&](std::size_t i) {
     return i == 0 || parts[i].region != parts[i - 1].region;
   };
@@ -146,18 +146,18 @@ void find_branches_of_parts(Scheduler& scheduler, const Graph& graph, std::span<
 
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                    const Partition& partition, const RegionNodes& region_nodes,
-                   std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at) {
+                   std::span<const RegionSlice> slices, BranchOf& branch_of, SubtreeSums& sums_at) {
   std::vector<std::vector<BranchSum>> of_worker(scheduler.threads());
-  std::vector<Piece> parts;  // of regions of several pieces
-  for (const Piece& p : pieces) {
+  std::vector<RegionSlice> parts;  // of regions of several slices
+  for (const RegionSlice& p : slices) {
     if (!is_whole(region_nodes, p)) parts.push_back(p);
   }
-  parallel_for_ranges(scheduler, pieces.size(), grain_of(pieces),
+  parallel_for_ranges(scheduler, slices.size(), grain_of(slices),
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         for (std::size_t i = begin; i < end; ++i) {
-                          if (!is_whole(region_nodes, pieces[i])) continue;
-                          find_branches(graph, partition, seeds[pieces[i].region],
-                                        nodes_of(region_nodes, pieces[i]), branch_of,
+                          if (!is_whole(region_nodes, slices[i])) continue;
+                          find_branches(graph, partition, seeds[slices[i].region],
+                                        nodes_of(region_nodes, slices[i]), branch_of,
                                         of_worker[worker], sums_at);
                         }
                       });

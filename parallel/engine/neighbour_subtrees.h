@@ -49,10 +49,10 @@ void find_branches(const Graph& graph, const Partition& partition, NodeId seed,
                    std::span<const NodeId> nodes, BranchOf& branch_of, std::vector<BranchSum>& sums,
                    SubtreeSums& sums_at);
 
-/// All of that for the regions that `pieces` make up, those of a region in a row.
+/// All of that for the regions that `slices` make up, those of a region in a row.
 void find_branches(Scheduler& scheduler, const Graph& graph, std::span<const NodeId> seeds,
                    const Partition& partition, const RegionNodes& region_nodes,
-                   std::span<const Piece> pieces, BranchOf& branch_of, SubtreeSums& sums_at);
+                   std::span<const RegionSlice> slices, BranchOf& branch_of, SubtreeSums& sums_at);
 
 /// Per arc of `seed`: not 0 where that branch lies in the subtree of `top`; all 0 where `top` is no
 /// neighbour of `seed`.

@@ -55,34 +55,34 @@ void find_region_nodes(Scheduler& scheduler, std::span<const Key> keys, std::siz
                       });
 }
 
-std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const Piece& piece) {
-  return {region_nodes.node.data() + piece.begin, region_nodes.node.data() + piece.end};
+std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const RegionSlice& slice) {
+  return {region_nodes.node.data() + slice.begin, region_nodes.node.data() + slice.end};
 }
 
-bool is_whole(const RegionNodes& region_nodes, const Piece& piece) {
-  return piece.end - piece.begin == region_nodes.of(piece.region).size();
+bool is_whole(const RegionNodes& region_nodes, const RegionSlice& slice) {
+  return slice.end - slice.begin == region_nodes.of(slice.region).size();
 }
 
-std::size_t grain_of(std::span<const Piece> pieces) {
+std::size_t grain_of(std::span<const RegionSlice> slices) {
   constexpr std::size_t nodes_a_task = 2048;
   std::size_t nodes = 1;
-  for (const Piece& p : pieces) nodes += p.end - p.begin;
-  return std::max<std::size_t>(nodes_a_task * pieces.size() / nodes, 1);
+  for (const RegionSlice& p : slices) nodes += p.end - p.begin;
+  return std::max<std::size_t>(nodes_a_task * slices.size() / nodes, 1);
 }
 
-std::vector<Piece> cut_into_pieces(const RegionNodes& region_nodes,
-                                   std::span<const RegionId> regions) {
+std::vector<RegionSlice> cut_into_slices(const RegionNodes& region_nodes,
+                                         std::span<const RegionId> regions) {
   constexpr NodeId most_nodes_a_piece = 4096;
-  std::vector<Piece> pieces;
-  pieces.reserve(regions.size());
+  std::vector<RegionSlice> slices;
+  slices.reserve(regions.size());
   for (const RegionId r : regions) {
     for (NodeId begin = region_nodes.first[r]; begin < region_nodes.first[r + 1];) {
       const NodeId end = std::min(begin + most_nodes_a_piece, region_nodes.first[r + 1]);
-      pieces.push_back({r, begin, end});
+      slices.push_back({r, begin, end});
       begin = end;
     }
   }
-  return pieces;
+  return slices;
 }
 
 }  // namespace geolloyd

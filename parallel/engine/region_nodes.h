@@ -19,8 +19,8 @@ struct RegionNodes {
   }
 };
 
-/// A part of one region: large regions are cut, so that several threads can share one.
-struct Piece {
+/// Some nodes of one region: large regions are cut, so that several threads can share one.
+struct RegionSlice {
   RegionId region;
   NodeId begin;  ///< into RegionNodes::node
   NodeId end;
@@ -30,16 +30,16 @@ struct Piece {
 void find_region_nodes(Scheduler& scheduler, std::span<const Key> keys, std::size_t regions,
                        RegionNodes& region_nodes);
 
-std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const Piece& piece);
+std::span<const NodeId> nodes_of(const RegionNodes& region_nodes, const RegionSlice& slice);
 
-/// Whether the piece is all of its region.
-bool is_whole(const RegionNodes& region_nodes, const Piece& piece);
+/// Whether the slice is all of its region.
+bool is_whole(const RegionNodes& region_nodes, const RegionSlice& slice);
 
 /// How many of them make a task worth giving to another thread.
-std::size_t grain_of(std::span<const Piece> pieces);
+std::size_t grain_of(std::span<const RegionSlice> slices);
 
-/// The pieces of those `regions`, in their order.
-std::vector<Piece> cut_into_pieces(const RegionNodes& region_nodes,
-                                   std::span<const RegionId> regions);
+/// The slices of those `regions`, in their order.
+std::vector<RegionSlice> cut_into_slices(const RegionNodes& region_nodes,
+                                         std::span<const RegionId> regions);
 
 }  // namespace geolloyd

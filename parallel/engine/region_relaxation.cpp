@@ -53,8 +53,8 @@ RegionRelaxation::Outcome RegionRelaxation::relax(NodeId seed, Score score, bool
         at == unbeaten ? no_id : lower_neighbour(local_.graph, local_.partition.key, score_, at);
     if (next == no_id) {
       unbeaten = at;
-      stand_at(at);
-      next = best_promise();
+      settle_at(at);
+      next = best_candidate();
     }
     if (next == no_id) break;
     if (score_[next] == never_scored) {
@@ -83,15 +83,15 @@ void RegionRelaxation::begin(NodeId seed, Score score) {
     sums_.mass.resize(nodes);
     order_.resize(nodes);
   }
-  stand_ = no_id;
+  current_ = no_id;
   sources_.clear();
   laps_.end(seconds_.gathering);
 }
 
-void RegionRelaxation::stand_at(NodeId node) {
-  if (stand_ == node) return;
-  if (stand_ != no_id) move_keys_to(node);  // else they are there already
-  stand_ = node;
+void RegionRelaxation::settle_at(NodeId node) {
+  if (current_ == node) return;
+  if (current_ != no_id) move_keys_to(node);  // else they are there already
+  current_ = node;
   sources_.clear();
   weigh_neighbours();
 }
@@ -124,9 +124,9 @@ void RegionRelaxation::find_sums() {
   }
   laps_.end(seconds_.locked_search);
   if (large_) {
-    large_->find_sums(stand_, local_.partition, branch_of_, sums_);
+    large_->find_sums(current_, local_.partition, branch_of_, sums_);
   } else {
-    find_branches(local_.graph, local_.partition, stand_, nodes, branch_of_, branch_sums_, sums_);
+    find_branches(local_.graph, local_.partition, current_, nodes, branch_of_, branch_sums_, sums_);
   }
   laps_.end(seconds_.subtree_sums);
 }
@@ -134,20 +134,20 @@ void RegionRelaxation::find_sums() {
 void RegionRelaxation::weigh_neighbours() {
   find_sums();
   const SeedMoveView view{local_.graph, local_.partition, sums_, extended_};
-  promises_.clear();
-  for (const NodeId v : local_.graph.neighbours(stand_)) {
-    if (score_[v] == never_scored) promises_.push_back({heuristic(view, stand_, v), v});
+  candidates_.clear();
+  for (const NodeId v : local_.graph.neighbours(current_)) {
+    if (score_[v] == never_scored) candidates_.push_back({heuristic(view, current_, v), v});
   }
-  std::sort(promises_.begin(), promises_.end(), [](const Promise& a, const Promise& b) {
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
     return a.heuristic != b.heuristic ? a.heuristic > b.heuristic : a.node < b.node;
   });
-  first_promise_ = 0;
+  first_candidate_ = 0;
   laps_.end(seconds_.movement);
 }
 
-NodeId RegionRelaxation::best_promise() {
-  for (; first_promise_ < promises_.size(); ++first_promise_) {
-    const NodeId node = promises_[first_promise_].node;
+NodeId RegionRelaxation::best_candidate() {
+  for (; first_candidate_ < candidates_.size(); ++first_candidate_) {
+    const NodeId node = candidates_[first_candidate_].node;
     if (score_[node] == never_scored) return node;
   }
   return no_id;
@@ -166,36 +166,37 @@ Score RegionRelaxation::score_of(NodeId node) {
   return score;
 }
 
-// Where a stand has very many neighbours, most need no search. No node's distance from a neighbour
-// v differs from that from another, u, by more than these are apart. So by Minkowski's inequality
-// the roots of their scores differ by that times the root of the mass at most. If u cannot come
-// down to the score of the stand, it counts as infinitely high: the seed goes there and comes back
-// as it would from any higher score. All doubles are off by less than the margin.
+// Where the current seed has very many neighbours, most need no search. No node's distance from a
+// neighbour v differs from that from another, u, by more than these are apart. So by Minkowski's
+// inequality the roots of their scores differ by that times the root of the mass at most. If u
+// cannot come down to the score of the current seed, it counts as infinitely high: the seed goes
+// there and comes back as it would from any higher score. All doubles are off by less than the
+// margin.
 template <class DistanceFrom>
 void RegionRelaxation::rule_out(Score score, const DistanceFrom& distance) {
   constexpr std::size_t many = 64;
   constexpr double margin = 1e-12;
-  if (promises_.size() < many) return;
+  if (candidates_.size() < many) return;
   const double surplus = std::sqrt(static_cast<double>(score)) * (1 - margin) -
-                         std::sqrt(static_cast<double>(score_[stand_])) * (1 + margin);
+                         std::sqrt(static_cast<double>(score_[current_])) * (1 + margin);
   const double reach = surplus / std::sqrt(static_cast<double>(mass_)) * (1 - margin);
-  for (std::size_t i = first_promise_; i < promises_.size(); ++i) {
-    const NodeId u = promises_[i].node;
+  for (std::size_t i = first_candidate_; i < candidates_.size(); ++i) {
+    const NodeId u = candidates_[i].node;
     if (score_[u] != never_scored || ahead_[u] != never_scored) continue;
     if (static_cast<double>(distance(u)) < reach) ahead_[u] = never_scored - 1;
   }
 }
 
 void RegionRelaxation::search_large(NodeId source) {
-  large_->run(local_.partition, stand_, branch_of_, source);
+  large_->run(local_.partition, current_, branch_of_, source);
   laps_.end(seconds_.locked_search);
 }
 
 // Fills the lanes with `node` and what may follow it.
 void RegionRelaxation::look_ahead(NodeId node) {
   sources_.assign(1, node);
-  for (std::size_t i = first_promise_; i < promises_.size(); ++i) {
-    const Promise& p = promises_[i];
+  for (std::size_t i = first_candidate_; i < candidates_.size(); ++i) {
+    const Candidate& p = candidates_[i];
     if (sources_.size() == SimdSearch::lanes) break;
     const bool wanted = score_[p.node] == never_scored && ahead_[p.node] == never_scored;
     if (wanted && p.node != node) sources_.push_back(p.node);
@@ -211,19 +212,19 @@ void RegionRelaxation::look_ahead(NodeId node) {
 
 void RegionRelaxation::search_from_sources() {
   find_order();
-  offset_.resize(local_.graph.neighbours(stand_).size() + 1);
+  offset_.resize(local_.graph.neighbours(current_).size() + 1);
   for (std::size_t j = 0; j < SimdSearch::lanes; ++j) offset_lane(j);
   lanes_.run(local_.graph, sources_, {local_.partition.key, branch_of_, offset_},
              std::span(order_).first(local_.size()));
   laps_.end(seconds_.locked_search);
 }
 
-// From a neighbour of the stand, what is in its subtree is nearer by its distance, and the rest
-// farther by that at most. From any other node all may be farther. Idle lanes do as the first.
+// From a neighbour of the current seed, what is in its subtree is nearer by its distance, and the
+// rest farther by that at most. From any other node all may be farther. Idle lanes do as the first.
 void RegionRelaxation::offset_lane(std::size_t lane) {
   const NodeId source = sources_[lane < sources_.size() ? lane : 0];
   const std::uint32_t distance = distance_of(local_.partition.key[source]);
-  find_branches_below(local_.graph, local_.partition, stand_, branch_of_, source, below_);
+  find_branches_below(local_.graph, local_.partition, current_, branch_of_, source, below_);
   for (std::size_t b = 0; b < below_.size(); ++b) {
     offset_[b].d[lane] = below_[b] != 0 ? 0 - distance : distance;
   }

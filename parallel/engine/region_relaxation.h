@@ -24,11 +24,11 @@ namespace geolloyd {
 ///
 /// * What a node's score is depends on the region and the node alone. The seed mostly goes to a
 ///   neighbour, finds it no better, and comes back; back, nothing is new.
-/// * Such a visit asks for the score only. Subtree sums are needed where the seed *stands*, which
-///   is where it has no lower neighbour: there it compares those it has not been to.
-/// * Standing, it will want the scores of most of these. They are found together (simd_search.h),
-///   but in large regions one by one: lanes of many nodes leave the cache, and the seed mostly goes
-///   on to the first.
+/// * Such a visit asks for the score only. Subtree sums are needed where the seed has no lower
+///   neighbour: there it becomes the *current seed*, whose other neighbours are *candidates*.
+/// * The seed will want the scores of most candidates. They are found together (simd_search.h), but
+///   in large regions one by one: lanes of many nodes leave the cache, and the seed mostly goes on
+///   to the first.
 ///
 /// One per thread; the memory is reused.
 class RegionRelaxation {
@@ -59,19 +59,19 @@ class RegionRelaxation {
   }
 
  private:
-  // A neighbour of the stand, and how promising it is.
-  struct Promise {
+  // A neighbour of the current seed without a score, and how promising it is.
+  struct Candidate {
     Uint128 heuristic;
     NodeId node;
   };
 
   double weight_of_time(std::size_t nodes, const Scheduler* shared);
   void begin(NodeId seed, Score score);
-  void stand_at(NodeId node);
+  void settle_at(NodeId node);
   void move_keys_to(NodeId node);
   void find_sums();
   void weigh_neighbours();
-  NodeId best_promise();
+  NodeId best_candidate();
   Score score_of(NodeId node);
   template <class DistanceFrom>
   void rule_out(Score score, const DistanceFrom& distance);
@@ -92,16 +92,16 @@ class RegionRelaxation {
   std::vector<Score> ahead_;  // of those that may come to be; never_scored - 1: too high
   std::vector<NodeId> all_;   // 0, 1, 2...
 
-  // Where the seed stands, its promises, best first, and by local node the branches and sums.
-  NodeId stand_ = no_id;
-  std::vector<Promise> promises_;
-  std::size_t first_promise_ = 0;  // all before have scores
+  // The current seed, its candidates, best first, and by local node the branches and sums.
+  NodeId current_ = no_id;
+  std::vector<Candidate> candidates_;
+  std::size_t first_candidate_ = 0;  // all before have scores
   BranchOf branch_of_;
   SubtreeSums sums_;
 
   std::unique_ptr<LargeRegionSearch> large_;  // null where lanes search
   SimdSearch lanes_;
-  std::vector<NodeId> sources_;  // of the lanes; none where these are not of this stand
+  std::vector<NodeId> sources_;  // of the lanes; none where these are not of the current seed
 
   // Room for work.
   std::vector<NodeId> order_;

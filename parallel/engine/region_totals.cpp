@@ -8,7 +8,7 @@
 namespace geolloyd {
 namespace {
 
-struct PieceTotals {
+struct SliceTotals {
   Score score = 0;
   std::uint64_t digest = 0;
 };
@@ -17,9 +17,9 @@ void derive_parents_of(const Graph& graph, std::span<const NodeId> nodes, Partit
   for (const NodeId v : nodes) partition.parent[v] = derive_parent(graph, partition.key, v);
 }
 
-PieceTotals total_of(const Graph& graph, std::span<const NodeId> nodes,
+SliceTotals total_of(const Graph& graph, std::span<const NodeId> nodes,
                      const Partition& partition) {
-  PieceTotals totals;
+  SliceTotals totals;
   for (const NodeId v : nodes) {
     totals.score += node_score(distance_of(partition.key[v]), graph.mass[v]);
     totals.digest += digest(v, partition.key[v], partition.parent[v]);
@@ -29,36 +29,36 @@ PieceTotals total_of(const Graph& graph, std::span<const NodeId> nodes,
 
 }  // namespace
 
-// Range by range of pieces, so that what the first loop fetched is in the cache for the second.
+// Range by range of slices, so that what the first loop fetched is in the cache for the second.
 void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph,
-                               const RegionNodes& region_nodes, std::span<const Piece> pieces,
+                               const RegionNodes& region_nodes, std::span<const RegionSlice> slices,
                                Partition& partition, RegionTotals& totals, KernelSeconds& seconds) {
   const Stopwatch watch;
-  std::vector<PieceTotals> of_piece(pieces.size());
+  std::vector<SliceTotals> of_slice(slices.size());
   struct alignas(64) WorkerSeconds : KernelSeconds {};
   std::vector<WorkerSeconds> of_worker(scheduler.threads());
-  parallel_for_ranges(scheduler, pieces.size(), grain_of(pieces),
+  parallel_for_ranges(scheduler, slices.size(), grain_of(slices),
                       [&](std::size_t begin, std::size_t end, std::size_t worker) {
                         {
                           const Timed timed(of_worker[worker].free_search);
                           for (std::size_t i = begin; i < end; ++i) {
-                            derive_parents_of(graph, nodes_of(region_nodes, pieces[i]), partition);
+                            derive_parents_of(graph, nodes_of(region_nodes, slices[i]), partition);
                           }
                         }
                         const Timed timed(of_worker[worker].scoring);
                         for (std::size_t i = begin; i < end; ++i) {
-                          of_piece[i] =
-                              total_of(graph, nodes_of(region_nodes, pieces[i]), partition);
+                          of_slice[i] =
+                              total_of(graph, nodes_of(region_nodes, slices[i]), partition);
                         }
                       });
 
-  for (const Piece& p : pieces) {
+  for (const RegionSlice& p : slices) {
     totals.score[p.region] = 0;
     totals.digest[p.region] = 0;
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    totals.score[pieces[i].region] += of_piece[i].score;
-    totals.digest[pieces[i].region] += of_piece[i].digest;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    totals.score[slices[i].region] += of_slice[i].score;
+    totals.digest[slices[i].region] += of_slice[i].digest;
   }
   KernelSeconds of_threads;
   for (const WorkerSeconds& s : of_worker) of_threads += s;

@@ -19,10 +19,10 @@ struct RegionTotals {
   std::vector<std::uint64_t> digest;  ///< of nodes (fingerprint.h)
 };
 
-/// Derives the parents of the nodes in `pieces`, which make up whole regions, and the totals of
+/// Derives the parents of the nodes in `slices`, which make up whole regions, and the totals of
 /// those regions, from their settled keys (forest.h, energy.h). Adds to `seconds` what each took.
 void derive_parents_and_totals(Scheduler& scheduler, const Graph& graph,
-                               const RegionNodes& region_nodes, std::span<const Piece> pieces,
+                               const RegionNodes& region_nodes, std::span<const RegionSlice> slices,
                                Partition& partition, RegionTotals& totals, KernelSeconds& seconds);
 
 }  // namespace geolloyd

@@ -112,7 +112,7 @@ FoundPoint closest_by_force(const Mesh& mesh, const Vec3& p) {
     for (std::size_t i = 0; i < 3; ++i) corner[i] = mesh.positions[mesh.triangles[t][i]];
     const auto& [a, b, c] = corner;
     const auto [v, w] =
-        weights_closest_to_origin({(a - p) * scale, (b - p) * scale, (c - p) * scale});
+        barycentric_closest_to_origin({(a - p) * scale, (b - p) * scale, (c - p) * scale});
     const Vec3 position = a + v * (b - a) + w * (c - a);
     const Vec3 away = (p - position) * scale;
     const double square = dot(away, away);
@@ -204,7 +204,7 @@ TEST(ClosestPoint, OnOneTriangleIsClosestOfAll) {
     const Vec3 a = soup.positions[i] - p;
     const Vec3 b = soup.positions[j] - p;
     const Vec3 c = soup.positions[k] - p;
-    const auto [v, w] = weights_closest_to_origin({a, b, c});
+    const auto [v, w] = barycentric_closest_to_origin({a, b, c});
     EXPECT_GE(std::min({v, w, 1 - v - w}), -1e-15);
     const double found = norm(a + v * (b - a) + w * (c - a));
     constexpr int steps = 40;

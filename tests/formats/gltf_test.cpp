@@ -285,6 +285,8 @@ TEST(Base64, GoesBothWays) {
   }
   EXPECT_EQ(to_base64("Man"), "TWFu");
   EXPECT_EQ(to_base64("Ma"), "TWE=");
+  EXPECT_EQ(to_base64("M"), "TQ==");
+  EXPECT_EQ(to_base64("\xff\xfe\xfd\x80"), "//79gA==");
   EXPECT_EQ(from_base64("TWE"), "Ma");
   EXPECT_EQ(from_base64("T"), std::nullopt);
   EXPECT_EQ(from_base64("TW!u"), std::nullopt);

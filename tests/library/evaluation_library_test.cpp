@@ -57,8 +57,8 @@ TEST(EvaluationLibrary, ClosestPointsOfASphereAreOnTheirRays) {
     Vec3 place = Vec3::Zero();
     double sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-      place += found[i].weights[c] * sphere.positions[sphere.triangles[found[i].triangle][c]];
-      sum += found[i].weights[c];
+      place += found[i].barycentric[c] * sphere.positions[sphere.triangles[found[i].triangle][c]];
+      sum += found[i].barycentric[c];
     }
     EXPECT_NEAR(sum, 1, 1e-12);
     EXPECT_LT((place - points[i].normalized()).norm(), 0.02);

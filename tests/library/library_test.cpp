@@ -3,9 +3,9 @@
 #include <geolloyd/dual.h>
 #include <geolloyd/errors.h>
 #include <geolloyd/fields.h>
-#include <geolloyd/measure.h>
 #include <geolloyd/mesh.h>
 #include <geolloyd/properties.h>
+#include <geolloyd/quality.h>
 #include <geolloyd/relax.h>
 #include <geolloyd/remesh.h>
 #include <gtest/gtest.h>
@@ -180,7 +180,7 @@ TEST(Library, ARemeshIsAManifoldWithSeedsAsVertices) {
   }
   for (std::size_t r = 0; r < 60; ++r) EXPECT_EQ(made.seeds[r], tessellation.regions[r].seed);
   EXPECT_EQ(find_topology(made.mesh).parts, find_topology(mesh).parts);
-  EXPECT_GT(measure_quality(made.mesh).mean_quality, 0.5);
+  EXPECT_GT(quality(made.mesh).mean_quality, 0.5);
 }
 
 TEST(Library, AMeshWrittenAndReadIsTheSame) {
@@ -373,7 +373,7 @@ INSTANTIATE_TEST_SUITE_P(Calls, LibraryRefuses, testing::ValuesIn(wrong_calls),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Library, AMeshWithoutTrianglesHasNoQualityAndNoParts) {
-  EXPECT_TRUE(std::isnan(measure_quality({}).mean_quality));
+  EXPECT_TRUE(std::isnan(quality({}).mean_quality));
   EXPECT_TRUE(find_topology(Mesh{}).parts.empty());
 }
 

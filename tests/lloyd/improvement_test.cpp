@@ -76,7 +76,7 @@ TEST(Improvement, KeepsOfTwoPartitionsWhatIsLower) {
     const Graph graph = grid_graph(12, 12);
     const ScoredPartition base = partition(graph, random_nodes(trial, 144, 10));
     ScoredPartition other = base;
-    other.seeds = disturb(graph, base, trial);
+    other.seeds = perturb(graph, base, trial);
     expect_different(other.seeds, 10);
     other = partition(graph, other.seeds);
     const std::vector<std::uint8_t> is_lower = lower_clusters(base, other);

@@ -63,7 +63,7 @@ TEST(DeltaStepping, RepairsAnyUpperBounds) {
     std::iota(regions.begin(), regions.end(), RegionId{0});
     std::vector<std::uint8_t> is_changed(seeds.size(), 0);
     DeltaStepping(scheduler, graph)
-        .repair(members, cut_into_pieces(members, regions), keys, is_changed);
+        .repair(members, cut_into_slices(members, regions), keys, is_changed);
     ASSERT_EQ(keys, expected) << random_seed;
   }
 }
@@ -79,7 +79,7 @@ TEST(DeltaStepping, TellsWhichRegionsChanged) {
   const std::vector<RegionId> suspects = {1};
   std::vector<std::uint8_t> is_changed(3, 0);
   DeltaStepping(scheduler, graph)
-      .repair(members, cut_into_pieces(members, suspects), keys, is_changed);
+      .repair(members, cut_into_slices(members, suspects), keys, is_changed);
   EXPECT_EQ(is_changed, (std::vector<std::uint8_t>{0, 1, 0}));
 }
 
@@ -108,17 +108,17 @@ TEST(RegionNodes, LargeRegionsAreCut) {
   members.first = {0, 3, 10000, 10000};
   members.node.resize(10000);
   const std::vector<RegionId> regions = {1, 2, 0};
-  const std::vector<Piece> pieces = cut_into_pieces(members, regions);
-  ASSERT_EQ(pieces.size(), 4U);
+  const std::vector<RegionSlice> slices = cut_into_slices(members, regions);
+  ASSERT_EQ(slices.size(), 4U);
   NodeId next = 3;
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(pieces[i].region, 1U);
-    EXPECT_EQ(pieces[i].begin, next);
-    next = pieces[i].end;
+    EXPECT_EQ(slices[i].region, 1U);
+    EXPECT_EQ(slices[i].begin, next);
+    next = slices[i].end;
   }
   EXPECT_EQ(next, 10000U);
-  EXPECT_EQ(pieces[3].region, 0U);
-  EXPECT_EQ(pieces[3].end, 3U);
+  EXPECT_EQ(slices[3].region, 0U);
+  EXPECT_EQ(slices[3].end, 3U);
 }
 
 // Around each node of a graph, with itself as the only seed.

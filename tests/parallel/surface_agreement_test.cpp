@@ -223,14 +223,14 @@ TEST(SurfaceEngines, AgreeOnFewerSites) {
 TEST(SurfaceEngines, LetSitesDescendAlike) {
   const FineMesh mesh = surface_input_of(torus(36'000, 1)).fine;
   const SitedMesh sited = spread_sites(mesh, 4500);
-  std::vector<std::uint8_t> stays(sited.sites.size(), 0);
-  for (std::size_t r = 0; r < stays.size(); r += 7) stays[r] = 1;
+  std::vector<std::uint8_t> is_fixed(sited.sites.size(), 0);
+  for (std::size_t r = 0; r < is_fixed.size(); r += 7) is_fixed[r] = 1;
   const auto descend_by = [&](SurfaceEngine& engine, Executor& executor) {
     engine.assign(sited.labels, sited.is_fixed);
     std::vector<Vec3> sites = sited.sites;
     std::vector<double> numbers;
     DescentOptions options{
-        stays, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0, [&](double energy) {
+        is_fixed, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0, [&](double energy) {
           numbers.push_back(energy);
           return true;
         }};
@@ -316,7 +316,7 @@ TEST(SurfaceStages, PlaceSitesAlike) {
     ASSERT_EQ(places.size(), expected.size());
     for (std::size_t r = 0; r < places.size(); ++r) {
       EXPECT_EQ(places[r].triangle, expected[r].triangle);
-      EXPECT_EQ(places[r].weights, expected[r].weights);
+      EXPECT_EQ(places[r].barycentric, expected[r].barycentric);
     }
   });
 }

@@ -9,7 +9,7 @@
 #include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/result/remesh.h"
 #include "geolloyd/errors.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 #include "tests/support/surface.h"
 
 namespace geolloyd {
@@ -137,10 +137,10 @@ TEST(FieldRemesh, HasEdgesOfOneLengthInTheMetric) {
   EXPECT_TRUE(remesh.has_input_topology());
   Mesh mapped = remesh.mesh;
   for (Vec3& p : mapped.positions) p.x() *= 3;
-  const MeshQuality quality = measure_quality(mapped);
-  EXPECT_GE(quality.mean_quality, 0.92);
-  EXPECT_GE(quality.smallest_angle, 25);
-  EXPECT_LT(measure_quality(remesh.mesh).mean_quality, 0.7);
+  const MeshQuality figures = quality(mapped);
+  EXPECT_GE(figures.mean_quality, 0.92);
+  EXPECT_GE(figures.smallest_angle, 25);
+  EXPECT_LT(quality(remesh.mesh).mean_quality, 0.7);
   double sum = 0;
   const MeshEdges edges = find_edges(mapped);
   for (const auto& [a, b] : edges.ends) sum += norm(mapped.positions[a] - mapped.positions[b]);

@@ -39,9 +39,9 @@ bool is_on_its_triangle(const Mesh& mesh, const SurfacePoint& place, const Vec3&
   double sum = 0;
   Vec3 p = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    if (!(place.weights[c] >= 0)) return false;
-    sum += place.weights[c];
-    p += place.weights[c] * mesh.positions[mesh.triangles[place.triangle][c]];
+    if (!(place.barycentric[c] >= 0)) return false;
+    sum += place.barycentric[c];
+    p += place.barycentric[c] * mesh.positions[mesh.triangles[place.triangle][c]];
   }
   return std::abs(sum - 1) < 1e-12 && (p - position).norm() <= 1e-12 * size;
 }

@@ -25,7 +25,7 @@ class RelaxedGround {
 
   void assign(const SitedMesh& sited) {
     sites = sited.sites;
-    stays.assign(sites.size(), 0);
+    is_fixed.assign(sites.size(), 0);
     engine->assign(sited.labels, sited.is_fixed);
     engine->evaluate(sites);
   }
@@ -56,7 +56,7 @@ class RelaxedGround {
   std::vector<double> descend(std::size_t iterations, double longest_move) {
     std::vector<double> energies;
     DescentOptions options;
-    options.stays = stays;
+    options.is_fixed = is_fixed;
     options.most_iterations = iterations;
     options.longest_move = longest_move;
     options.keep_going = [&](double energy) {
@@ -80,7 +80,7 @@ class RelaxedGround {
  public:
   std::unique_ptr<SurfaceEngine> engine;
   std::vector<Vec3> sites;
-  std::vector<std::uint8_t> stays;
+  std::vector<std::uint8_t> is_fixed;
 };
 
 std::vector<FineMesh> open_and_closed() {
@@ -201,9 +201,9 @@ TEST(SiteDescent, EndsWhereNothingIsGained) {
   RisingEngine engine(mesh);
   engine.assign(sited.labels, sited.is_fixed);
   std::vector<Vec3> sites = sited.sites;
-  const std::vector<std::uint8_t> stays(sites.size(), 0);
+  const std::vector<std::uint8_t> is_fixed(sites.size(), 0);
   DescentOptions options;
-  options.stays = stays;
+  options.is_fixed = is_fixed;
   options.most_iterations = 50;
   options.longest_move = 1;
   descend(mesh, engine, sites, options);
@@ -217,7 +217,7 @@ TEST(SiteDescent, EndsWhereLittleIsGained) {
     RelaxedGround ground(surface_input_of(icosphere(2000)).fine, 50);
     std::vector<double> energies = {ground.energy_of(ground.sites)};
     DescentOptions options;
-    options.stays = ground.stays;
+    options.is_fixed = ground.is_fixed;
     options.most_iterations = 1000;
     options.longest_move = 0.5 * ground.mean_spacing();
     options.least_gain = least_gain;
@@ -238,15 +238,15 @@ TEST(SiteDescent, EndsWhereLittleIsGained) {
 TEST(SiteDescent, LetsSitesStay) {
   for (const FineMesh& mesh : open_and_closed()) {
     RelaxedGround ground(mesh, 50);
-    for (std::size_t r = 0; r < 50; r += 3) ground.stays[r] = 1;
+    for (std::size_t r = 0; r < 50; r += 3) ground.is_fixed[r] = 1;
     const std::vector<Vec3> before = ground.sites;
     const double start = ground.energy_of(before);
     ground.descend(25, 0.5 * ground.mean_spacing());
     for (std::size_t r = 0; r < 50; ++r) {
-      EXPECT_EQ(ground.sites[r] == before[r], ground.stays[r] != 0) << r;
+      EXPECT_EQ(ground.sites[r] == before[r], ground.is_fixed[r] != 0) << r;
     }
     EXPECT_LT(ground.last(), start);
-    ground.stays.assign(50, 1);
+    ground.is_fixed.assign(50, 1);
     const std::vector<Vec3> all = ground.sites;
     ground.descend(5, 1);
     EXPECT_EQ(ground.sites, all);
@@ -270,7 +270,7 @@ TEST(SiteDescent, EndsWhenAsked) {
   RelaxedGround ground(surface_input_of(icosphere(1000)).fine, 20);
   int calls = 0;
   DescentOptions options;
-  options.stays = ground.stays;
+  options.is_fixed = ground.is_fixed;
   options.most_iterations = 30;
   options.longest_move = 1;
   options.keep_going = [&](double) { return ++calls < 3; };
@@ -312,16 +312,16 @@ TEST(SiteDescent, LeavesAHexagonalLatticeAsItIs) {
   RelaxedGround ground(mesh, 1);
   ground.assign(sited);
   for (std::size_t r = 0; r < sited.sites.size(); ++r) {
-    ground.stays[r] = sited.sites[r].cwiseAbs().maxCoeff() > 1 - 1.5 * spacing ? 1 : 0;
+    ground.is_fixed[r] = sited.sites[r].cwiseAbs().maxCoeff() > 1 - 1.5 * spacing ? 1 : 0;
   }
-  ASSERT_GT(std::ranges::count(ground.stays, 0), 20);
+  ASSERT_GT(std::ranges::count(ground.is_fixed, 0), 20);
   ground.descend(20, 0.1);
   for (std::size_t r = 0; r < sited.sites.size(); ++r) {
     EXPECT_LE(norm(ground.sites[r] - sited.sites[r]), 1e-3 * spacing);
   }
   // Disturbed, it returns, for the lattice is a minimum.
   for (std::size_t r = 0; r < sited.sites.size(); ++r) {
-    if (ground.stays[r] == 0) ground.sites[r] += 0.1 * spacing * Vec3(random_unit(1, r), 0, 0);
+    if (ground.is_fixed[r] == 0) ground.sites[r] += 0.1 * spacing * Vec3(random_unit(1, r), 0, 0);
   }
   ground.engine->evaluate(ground.sites);
   ground.descend(60, 0.1);

@@ -20,7 +20,7 @@ double distance_to_mesh(const Mesh& mesh, const Vec3& p) {
     const Vec3 a = mesh.positions[t[0]] - p;
     const Vec3 b = mesh.positions[t[1]] - p;
     const Vec3 c = mesh.positions[t[2]] - p;
-    const auto [v, w] = weights_closest_to_origin({a, b, c});
+    const auto [v, w] = barycentric_closest_to_origin({a, b, c});
     least = std::min(least, norm(a + v * (b - a) + w * (c - a)));
   }
   return least;
@@ -28,8 +28,8 @@ double distance_to_mesh(const Mesh& mesh, const Vec3& p) {
 
 void expect_on_mesh(const Mesh& mesh, const SurfacePoint& point) {
   ASSERT_LT(point.triangle, mesh.triangle_count());
-  EXPECT_GE(std::ranges::min(point.weights), 0);
-  EXPECT_NEAR(point.weights[0] + point.weights[1] + point.weights[2], 1, 1e-14);
+  EXPECT_GE(std::ranges::min(point.barycentric), 0);
+  EXPECT_NEAR(point.barycentric[0] + point.barycentric[1] + point.barycentric[2], 1, 1e-14);
 }
 
 // Sites near their cells: as near as the surface is to them, on one of its triangles.

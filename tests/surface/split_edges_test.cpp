@@ -46,7 +46,7 @@ double distance_to(const Mesh& mesh, const Triangle& t, const Vec3& p) {
   const Vec3 a = mesh.positions[t[0]] - p;
   const Vec3 b = mesh.positions[t[1]] - p;
   const Vec3 c = mesh.positions[t[2]] - p;
-  const auto [v, w] = weights_closest_to_origin({a, b, c});
+  const auto [v, w] = barycentric_closest_to_origin({a, b, c});
   return norm(a + v * (b - a) + w * (c - a));
 }
 

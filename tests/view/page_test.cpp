@@ -52,14 +52,6 @@ Bundle bundle_with(const Mesh& mesh) {
   return bundle;
 }
 
-TEST(Page, EncodesBytesAsOthersDo) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("\xff\xfe\xfd\x80"), "//79gA==");
-}
-
 TEST(Page, MakesTextHarmless) {
   EXPECT_EQ(html_text("</title><b a='\"&"), "&lt;/title&gt;&lt;b a=&#39;&quot;&amp;");
 }

@@ -14,8 +14,8 @@ std::vector<SurfacePoint> closest_places(const Mesh& mesh, std::span<const Vec3>
     const FoundPoint found = closest.find(points[i]);
     const auto& [a, b, c] = mesh.triangles[found.triangle];
     const auto [v, w] =
-        weights_closest_to_origin({mesh.positions[a] - points[i], mesh.positions[b] - points[i],
-                                   mesh.positions[c] - points[i]});
+        barycentric_closest_to_origin({mesh.positions[a] - points[i], mesh.positions[b] - points[i],
+                                       mesh.positions[c] - points[i]});
     places[i] = {found.triangle, {1 - v - w, v, w}};
   });
   return places;

@@ -175,7 +175,7 @@ struct ClosestPoint::Scene : EmbreeScene {
     std::array<Vec3, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) corner[i] = mesh.positions[mesh.triangles[t][i]];
     const auto& [a, b, c] = corner;
-    const auto [v, w] = weights_closest_to_origin(
+    const auto [v, w] = barycentric_closest_to_origin(
         {(a - p) * frame.scale, (b - p) * frame.scale, (c - p) * frame.scale});
     return a + v * (b - a) + w * (c - a);
   }

@@ -111,14 +111,14 @@ std::pair<py::array, py::array> arrays_of(Mesh&& mesh) {
 std::pair<py::array, py::array> arrays_of(const std::vector<SurfacePoint>& places) {
   const auto size = static_cast<py::ssize_t>(places.size());
   std::vector<TriangleId> triangles;
-  std::vector<std::array<double, 3>> weights;
+  std::vector<std::array<double, 3>> barycentric;
   triangles.reserve(places.size());
-  weights.reserve(places.size());
+  barycentric.reserve(places.size());
   for (const SurfacePoint& place : places) {
     triangles.push_back(place.triangle);
-    weights.push_back(place.weights);
+    barycentric.push_back(place.barycentric);
   }
-  return {id_array(std::move(triangles)), array_of<double>(std::move(weights), {size, 3})};
+  return {id_array(std::move(triangles)), array_of<double>(std::move(barycentric), {size, 3})};
 }
 
 }  // namespace geolloyd

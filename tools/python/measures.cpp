@@ -4,7 +4,7 @@
 
 #include "geolloyd/evaluation.h"
 #include "geolloyd/fields.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 #include "geolloyd/threads.h"
 #include "tools/python/arrays.h"
 #include "tools/python/module.h"
@@ -23,7 +23,7 @@ py::dict quality(const NumberArray& vertices, const IdArray& faces) {
   MeshTopology topology;
   {
     const py::gil_scoped_release working;
-    figures = measure_quality(mesh);
+    figures = geolloyd::quality(mesh);
     topology = find_topology(mesh);
   }
   py::dict words;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geolloyd/errors.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 #include "tools/words/named.h"
 
 namespace geolloyd {

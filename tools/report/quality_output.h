@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geolloyd/evaluation.h"
-#include "geolloyd/measure.h"
+#include "geolloyd/quality.h"
 #include "tools/files/json.h"
 #include "tools/run/quality.h"
 

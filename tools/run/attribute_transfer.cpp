@@ -53,7 +53,7 @@ class Carrier {
   [[nodiscard]] Mixture closest_to(const Vec3& p) const {
     const TriangleId triangle = surface_->find(p).triangle;
     const auto& [a, b, c] = mesh_.triangles[triangle];
-    const auto [v, w] = weights_closest_to_origin(
+    const auto [v, w] = barycentric_closest_to_origin(
         {mesh_.positions[a] - p, mesh_.positions[b] - p, mesh_.positions[c] - p});
     const double u = 1 - v - w;
     return mixture_at(mesh_, {triangle, {u > 0 ? u : 0, v, w}});

@@ -66,7 +66,7 @@ MetricQuality judge_in_metric(const Mesh& remesh, const MeshEdges& edges, const 
   const auto length_at = [&](VertexId v) {
     double length = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-      length += places[v].weights[c] * lengths[original.triangles[places[v].triangle][c]];
+      length += places[v].barycentric[c] * lengths[original.triangles[places[v].triangle][c]];
     }
     return length;
   };

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/formats/base64.h"
 #include "core/text/file_writer.h"
 #include "tools/view/assets.h"
 #include "tools/view/simplify.h"
@@ -125,24 +125,6 @@ std::string html_text(const std::string& text) {
   return safe;
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(base64_size(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? digits[bits >> (18 - 6 * k) & 63U] : '=';
-    }
-  }
-  return text;
-}
-
 std::string write_page(const std::filesystem::path& page, Bundle bundle, std::size_t most_bytes) {
   const ViewerAssets assets = viewer_assets();
   const std::size_t frame_bytes = assets.page.size() + assets.style.size() + assets.script.size();
@@ -150,7 +132,7 @@ std::string write_page(const std::filesystem::path& page, Bundle bundle, std::si
   std::string bytes = encode(bundle);
   if (base64_size(bytes.size()) > room) bytes = shrink(bundle, room);
   FileWriter out(page);
-  const std::string data = base64(bytes);
+  const std::string data = to_base64(bytes);
   write_frame(out, assets.page, html_text(bundle.title), data, assets);
   out.commit();
   std::string text = fmt::format("  {:<12}{}, {:.1f} MB\n", "page", page.string(),

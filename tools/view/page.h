@@ -18,8 +18,6 @@ void check_viewer();
 /// Text for people in an HTML page, in attributes too.
 std::string html_text(const std::string& text);
 
-std::string base64(std::string_view bytes);
-
 /// Writes a page that holds the viewer and the bundle: it needs no server and no network. Where it
 /// would be larger than `most_bytes`, places get 16 bits, and if that is not enough, the mesh is
 /// simplified; notes in the page say so. Returns them, with the size, for the summary. Throws

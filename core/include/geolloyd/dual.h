@@ -11,11 +11,17 @@
 namespace geolloyd {
 
 struct DualOptions {
-  bool manifold = true;              ///< add seeds until the remesh has the topology of the mesh
+  bool manifold = true;              ///< add seeds until the dual has the topology of the mesh
   std::function<bool()> keep_going;  ///< asked now and then; false ends the adding of seeds
 };
 
-/// The dual of a tessellation. Vertex r is the seed of region r, or at a boundary a point of the
+/// The dual of a tessellation of `mesh`: a mesh with a vertex for each region. Where the mesh is a
+/// manifold, the dual is one of the same topology, if there are nodes enough for the seeds to add.
+/// Throws InvalidInput where mesh and tessellation do not belong together.
+struct Dual dual(const Mesh& mesh, const Tessellation& tessellation,
+                 const DualOptions& options = {}, Runtime& runtime = all_threads());
+
+/// A dual and what became of it. Vertex r is the seed of region r, or at a boundary a point of the
 /// boundary near it. Added seeds come last. A triangle stands for each corner where three regions
 /// meet, oriented as the mesh is there.
 struct Dual {
@@ -29,13 +35,7 @@ struct Dual {
   std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
   std::size_t flipped = 0;          ///< triangles that face away from the surface
   std::size_t flat = 0;             ///< triangles without area
-  std::size_t folds = 0;            ///< edges at which the remesh turns back on itself
+  std::size_t folds = 0;            ///< edges at which the dual turns back on itself
 };
-
-/// `tessellation` is one of this `mesh`. Where the mesh is a manifold, the remesh is one of the
-/// same topology, if there are nodes enough for the seeds to add. Throws InvalidInput where mesh
-/// and tessellation do not belong together.
-Dual dual(const Mesh& mesh, const Tessellation& tessellation, const DualOptions& options = {},
-          Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -29,7 +29,7 @@ struct Mesh {
 
 /// Throws InvalidInput where a mesh made by hand breaks one of these rules, or has no triangle. The
 /// message names the vertex or triangle. All functions that take a mesh call this; write and
-/// the functions of measure.h accept a mesh without triangles, too.
+/// the functions of quality.h accept a mesh without triangles, too.
 void validate(const Mesh& mesh);
 
 /// A mesh as a file holds it, and what reading it had to do.

@@ -13,6 +13,31 @@
 
 namespace geolloyd {
 
+struct RelaxOptions;
+struct Tessellation;
+
+/// Moves seeds to the centroids of their regions until none moves (Rapetta's thesis; the definition
+/// is in core/lloyd/relaxation.h). Regions are numbered as their seeds are given or chosen. Lengths
+/// are in mesh units. Throws InvalidInput with a sentence where the mesh or an option is not
+/// usable: no seeds, repeated or unknown ones, fewer seeds than components, more than nodes, a
+/// field of another length or with values that are not finite, averaging that the norm cannot have.
+Tessellation relax(const Mesh& mesh, const RelaxOptions& options,
+                   Runtime& runtime = all_threads());
+
+/// The regions of the first seeds as they are: the graph Voronoi diagram.
+Tessellation voronoi(const Mesh& mesh, RelaxOptions options,
+                     Runtime& runtime = all_threads());
+
+/// The first seeds that relax() goes out from.
+std::vector<InputId> first_seeds(const Mesh& mesh, const RelaxOptions& options,
+                                 Runtime& runtime = all_threads());
+
+/// Per input id, along the graph of these options to the nearest of `options.first_seeds`, mesh
+/// units. Infinite in components without one, and for vertices of no triangle. Throws InvalidInput
+/// as relax() does, but where a component has no seed.
+std::vector<double> distances(const Mesh& mesh, const RelaxOptions& options,
+                              Runtime& runtime = all_threads());
+
 struct RelaxOptions {
   std::size_t seed_count = 0;  ///< number of regions, at least 1; unless first seeds are given
   std::vector<InputId> first_seeds;  ///< different; each component of the mesh has one
@@ -67,24 +92,5 @@ struct Tessellation {
 
   std::shared_ptr<const struct TessellatedGraph> internals;  ///< what remesh() goes on from
 };
-
-/// Moves seeds to the centroids of their regions until none moves (Rapetta; the definition is in
-/// core/lloyd/relaxation.h). Throws InvalidInput with a sentence where the mesh or an option is
-/// not usable: no seeds, repeated or unknown ones, fewer seeds than components, more than nodes, a
-/// field of another length or with values that are not finite, averaging that the norm cannot have.
-Tessellation relax(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime = all_threads());
-
-/// The regions of the first seeds as they are: the graph Voronoi diagram.
-Tessellation voronoi(const Mesh& mesh, RelaxOptions options, Runtime& runtime = all_threads());
-
-/// The first seeds that relax() goes out from.
-std::vector<InputId> first_seeds(const Mesh& mesh, const RelaxOptions& options,
-                                 Runtime& runtime = all_threads());
-
-/// Per input id, along the graph of these options to the nearest of `options.first_seeds`, mesh
-/// units. Infinite in components without one, and for vertices of no triangle. Throws InvalidInput
-/// as relax() does, but where a component has no seed.
-std::vector<double> distances(const Mesh& mesh, const RelaxOptions& options,
-                              Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -7,20 +7,42 @@
 #include <vector>
 
 #include "geolloyd/choices.h"
-#include "geolloyd/measure.h"
 #include "geolloyd/mesh.h"
+#include "geolloyd/quality.h"
 #include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
-/// A point of a mesh: on a triangle, with the weights of its corners (not negative; their sum is 1
+struct Remesh;
+struct RemeshOptions;
+struct SurfacePoint;
+
+/// Remeshes the surface of `mesh` as regularly as can be: sites move on the surface itself until
+/// their cells are centroidal, and the dual of the cells is the remesh (core/surface; after
+/// Rapetta's thesis). It has `vertex_count` vertices, or more where its topology needs them; those
+/// on boundary and features come first. Lengths are in mesh units. `mesh` may have any flaws; where
+/// its edges have three and more triangles it is cut apart. Throws InvalidInput where the mesh is
+/// not valid or has no area, or where an option is not usable.
+Remesh remesh(const Mesh& mesh, const RemeshOptions& options,
+              Runtime& runtime = all_threads());
+
+/// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
+/// vertices: one value per place, in their order. Numbers are interpolated linearly; parts of
+/// colours are then rounded, and normals get length 1. Labels go by the largest sum of barycentric
+/// coordinates, the smaller one of equals. Throws InvalidInput where properties or places do not
+/// fit the mesh.
+std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,
+                                const std::vector<SurfacePoint>& places,
+                                Runtime& runtime = all_threads());
+
+/// A point of a mesh: on a triangle, by its barycentric coordinates (not negative; their sum is 1
 /// but for rounding).
 struct SurfacePoint {
   TriangleId triangle = no_id;
-  std::array<double, 3> weights = {1, 0, 0};
+  std::array<double, 3> barycentric = {1, 0, 0};
 };
 
-/// Where a surface remesh stands. Sites come in levels, each with about four times as many as the
+/// How far a remesh has come. Sites come in levels, each with about four times as many as the
 /// one before.
 struct RemeshProgress {
   std::size_t sites = 0;         ///< of this level
@@ -117,19 +139,5 @@ struct Remesh {
   /// Each part has the Euler characteristic and the boundary loops of one of surface_parts.
   [[nodiscard]] bool has_input_topology() const;
 };
-
-/// The most regular remesh: sites leave the vertices of the mesh, and their cells are measured on
-/// the surface itself (core/surface). `mesh` may have any flaws; where its edges have three and
-/// more triangles it is cut apart. The remesh has `vertex_count` vertices, or more where its
-/// topology needs them. Throws InvalidInput where the mesh is not valid or has no area.
-Remesh remesh(const Mesh& mesh, const RemeshOptions& options, Runtime& runtime = all_threads());
-
-/// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
-/// vertices. Numbers are interpolated, so a linear function stays one; parts of colours are then
-/// rounded, and normals get length 1. Labels go by majority of weights, the smaller one of equals.
-/// Throws InvalidInput where properties or places do not fit the mesh.
-std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,
-                                const std::vector<SurfacePoint>& places,
-                                Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -15,6 +15,26 @@ struct RepairOptions {
                                ///< bounding box of its component
 };
 
+/// Makes a manifold: each edge has one or two triangles, each vertex one fan of them. Neighbours
+/// have the same orientation, but in components that have none. What is not repaired keeps its
+/// place and order; a mesh without flaws is returned to the bit. The steps, in this order:
+///
+/// 1. Triangles that name a vertex twice and duplicate triangles are left out, then vertices with
+///    several fans are cut into one for each.
+/// 2. A component is left out if all its triangles are slivers, or if each lies on one of another
+///    component that stays. A sliver is lower than a millionth of its longest edge.
+/// 3. Two boundary edges in the same place are joined, if no other edge is there, or none of their
+///    component.
+/// 4. Slivers go: short edges collapse, long edges flip.
+/// 5. A component in which neighbours disagree is oriented: outward if it is closed, else as most
+///    of its area is.
+/// 6. Small holes are filled with the triangles that bend least (Liepa 2003).
+///
+/// No step leaves more non-manifold edges or boundary loops than the mesh cut apart has. Throws
+/// InvalidInput where the mesh is not valid or an option makes no sense.
+struct RepairedMesh repair(const Mesh& mesh, const RepairOptions& options = {},
+                           Runtime& runtime = all_threads());
+
 /// What a repair did, and what it had to leave.
 struct Repairs {
   std::size_t repeated_vertex_triangles = 0;  ///< left out
@@ -42,25 +62,5 @@ struct RepairedMesh {
                                             ///< fills a hole
   Repairs repairs;
 };
-
-/// A manifold: each edge has one or two triangles, each vertex one fan of them. Neighbours have the
-/// same orientation, but in components that have none. What is not repaired keeps its place and
-/// order; a mesh without flaws stays the same to the bit. The steps, in this order:
-///
-/// 1. Triangles that name a vertex twice and duplicate triangles are left out, then vertices with
-///    several fans are cut into one for each.
-/// 2. A component is left out if all its triangles are slivers, or if each lies on one of another
-///    component that stays. A sliver is lower than a millionth of its longest edge.
-/// 3. Two boundary edges in the same place are joined, if no other edge is there, or none of their
-///    component.
-/// 4. Slivers go: short edges collapse, long edges flip.
-/// 5. A component in which neighbours disagree is oriented: outward if it is closed, else as most
-///    of its area is.
-/// 6. Small holes are filled with the triangles that bend least (Liepa 2003).
-///
-/// No step leaves more non-manifold edges or boundary loops than the mesh cut apart has. Throws
-/// InvalidInput where the mesh is not valid or an option makes no sense.
-RepairedMesh repair(const Mesh& mesh, const RepairOptions& options = {},
-                    Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -9,12 +9,12 @@
 namespace geolloyd {
 namespace {
 
-struct Piece {
+struct LabelComponent {
   VertexId first = no_id;  // smallest vertex
   std::uint32_t size = 0;
   bool has_fixed = false;
 
-  [[nodiscard]] bool is_before(const Piece& other) const {
+  [[nodiscard]] bool is_before(const LabelComponent& other) const {
     return std::tuple(has_fixed, size, other.first) >
            std::tuple(other.has_fixed, other.size, first);
   }
@@ -22,8 +22,9 @@ struct Piece {
 
 }  // namespace
 
-void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std::uint8_t> is_fixed,
-                    std::vector<RegionId>& labels, Executor& executor) {
+void keep_one_component(const FineMesh& mesh, std::size_t sites,
+                        std::span<const std::uint8_t> is_fixed, std::vector<RegionId>& labels,
+                        Executor& executor) {
   DisjointSets sets(labels.size(), executor);
   parallel_for(executor, labels.size(), small_items, [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
@@ -31,18 +32,18 @@ void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std
       if (u < v && labels[u] == labels[v]) sets.unite(u, v);
     }
   });
-  std::vector<Piece> piece(labels.size());  // at its smallest vertex
+  std::vector<LabelComponent> component(labels.size());  // at its smallest vertex
   for (VertexId v = 0; v < labels.size(); ++v) {
-    Piece& of = piece[sets.find(v)];
+    LabelComponent& of = component[sets.find(v)];
     of.first = std::min(of.first, v);
     ++of.size;
     of.has_fixed = of.has_fixed || is_fixed[v] != 0;
   }
-  std::vector<Piece> kept(sites);
+  std::vector<LabelComponent> kept(sites);
   for (VertexId v = 0; v < labels.size(); ++v) {
-    if (piece[v].first != v || labels[v] == no_id) continue;
-    Piece& best = kept[labels[v]];
-    if (best.first == no_id || piece[v].is_before(best)) best = piece[v];
+    if (component[v].first != v || labels[v] == no_id) continue;
+    LabelComponent& best = kept[labels[v]];
+    if (best.first == no_id || component[v].is_before(best)) best = component[v];
   }
   for (VertexId v = 0; v < labels.size(); ++v) {
     if (labels[v] == no_id || is_fixed[v] != 0) continue;

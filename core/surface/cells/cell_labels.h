@@ -8,14 +8,15 @@
 
 namespace geolloyd {
 
-/// Leaves each site the largest of the connected pieces of its cell, by vertices; of equals, that
-/// with the smallest vertex; a piece with vertices that are fixed before others. The other vertices
-/// lose their labels.
-void keep_one_piece(const FineMesh& mesh, std::size_t sites, std::span<const std::uint8_t> is_fixed,
-                    std::vector<RegionId>& labels, Executor& executor = sequential());
+/// Leaves each site the largest of the connected components of its cell, by vertices; of equals,
+/// that with the smallest vertex; one with vertices that are fixed before others. The other
+/// vertices lose their labels.
+void keep_one_component(const FineMesh& mesh, std::size_t sites,
+                        std::span<const std::uint8_t> is_fixed, std::vector<RegionId>& labels,
+                        Executor& executor = sequential());
 
 /// Gives vertices without a label that of the nearest of their neighbours' sites, of equals the
-/// smallest, in rounds, so that no cell gets a piece apart. Vertices that no label reaches stay
+/// smallest, in rounds, so that no cell falls apart. Vertices that no label reaches stay
 /// without.
 void fill_gaps(const FineMesh& mesh, std::span<const Vec3> sites, std::vector<RegionId>& labels);
 

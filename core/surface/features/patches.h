@@ -12,7 +12,7 @@ namespace geolloyd {
 
 using PatchId = std::uint32_t;
 
-/// A region bounded by boundary and feature edges. No free site's cell leaves it.
+/// A region of the surface bounded by boundary and feature edges. No free site's cell leaves it.
 struct Patch {
   double area = 0;                        ///< FineMesh::sized_area()
   std::int64_t euler_characteristic = 0;  ///< cut open along curves, sub-resolution holes closed

@@ -152,7 +152,7 @@ class Remesher {
     for (const SurfacePoint& place : result.places) {
       double size = place.triangle == no_id ? 1 : 0;
       for (std::size_t c = 0; c < 3 && place.triangle != no_id; ++c) {
-        size += place.weights[c] * sizing_.sizes[mesh_.triangles[place.triangle][c]];
+        size += place.barycentric[c] * sizing_.sizes[mesh_.triangles[place.triangle][c]];
       }
       result.edge_lengths.push_back(size * spacing_ / input_.frame.scale);
     }

@@ -44,7 +44,7 @@ Foot SampleProjection::foot_on(TriangleId t, const Vec3& point) const {
   const Vec3& a = remesh_.positions[ia];
   const Vec3& b = remesh_.positions[ib];
   const Vec3& c = remesh_.positions[ic];
-  const auto [v, w] = weights_closest_to_origin({a - point, b - point, c - point});
+  const auto [v, w] = barycentric_closest_to_origin({a - point, b - point, c - point});
   const double u = 1 - v - w;
   return {t, {u, v, w}, point - (u * a + v * b + w * c)};
 }

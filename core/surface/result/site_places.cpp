@@ -9,8 +9,9 @@ namespace geolloyd {
 namespace {
 
 // The point of a triangle that is closest to `p`.
-std::array<double, 3> closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto [v, w] = weights_closest_to_origin({a - p, b - p, c - p});
+std::array<double, 3> closest_barycentric(const Vec3& p, const Vec3& a, const Vec3& b,
+                                          const Vec3& c) {
+  const auto [v, w] = barycentric_closest_to_origin({a - p, b - p, c - p});
   const double u = 1 - v - w;
   return {u > 0 ? u : 0, v, w};
 }
@@ -41,8 +42,8 @@ class SitePlacer {
     for (const VertexId v : input_.fine.neighbours(centre)) offer_triangles_at(v, site, best);
     const TriangleId origin = input_.origin[best.triangle];
     const auto& [a, b, c] = mesh_.triangles[origin];
-    return {origin, closest_weights(input_.frame.to_mesh(best.point), mesh_.positions[a],
-                                    mesh_.positions[b], mesh_.positions[c])};
+    return {origin, closest_barycentric(input_.frame.to_mesh(best.point), mesh_.positions[a],
+                                        mesh_.positions[b], mesh_.positions[c])};
   }
 
   struct Closest {
@@ -57,7 +58,7 @@ class SitePlacer {
       const Vec3& a = input_.fine.positions[ia];
       const Vec3& b = input_.fine.positions[ib];
       const Vec3& c = input_.fine.positions[ic];
-      const auto [x, y, z] = closest_weights(site, a, b, c);
+      const auto [x, y, z] = closest_barycentric(site, a, b, c);
       const Vec3 point = x * a + y * b + z * c;
       const Vec3 away = point - site;
       const double square = dot(away, away);
@@ -95,15 +96,15 @@ void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const 
       const Vec3& corner = mesh.positions[mesh.triangles[origin][c]];
       if (input.frame.to_unit(corner) != input.fine.positions[corners[i]]) continue;
       places[i] = {origin, {0, 0, 0}};
-      places[i].weights[c] = 1;
+      places[i].barycentric[c] = 1;
     }
   }
 }
 
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
   const auto& [a, b, c] = mesh.triangles[point.triangle];
-  return point.weights[0] * mesh.positions[a] + point.weights[1] * mesh.positions[b] +
-         point.weights[2] * mesh.positions[c];
+  return point.barycentric[0] * mesh.positions[a] + point.barycentric[1] * mesh.positions[b] +
+         point.barycentric[2] * mesh.positions[c];
 }
 
 }  // namespace geolloyd

@@ -16,12 +16,12 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
                                       const std::vector<RegionId>& labels,
                                       Executor& executor = sequential());
 
-/// Snaps the first places, which are those of corners (vertices of `input.fine`), to coinciding
-/// vertices of the mesh.
+/// The first places are those of corners (vertices of `input.fine`). Snaps those that coincide with
+/// a vertex of the mesh to it, exactly.
 void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
                    std::vector<SurfacePoint>& places);
 
-/// Where that is, mesh units.
+/// The position of a point, mesh units.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 
 }  // namespace geolloyd

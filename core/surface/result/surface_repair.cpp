@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t first_iterations = 10;
 constexpr std::size_t more_iterations = 5;
 
-enum class Inserted { may_move, stays };
+enum class Inserted { free, fixed };
 
 class SurfaceRepair {
  public:
@@ -33,11 +33,11 @@ class SurfaceRepair {
   DualisedSites run() {
     relaxer_.relax(level_, result_.state, first_iterations);
     dualise();
-    if (has_violations() && insert(Inserted::may_move)) {
+    if (has_violations() && insert(Inserted::free)) {
       relaxer_.relax(level_, result_.state, more_iterations);
       dualise();
     }
-    while (has_violations() && insert(Inserted::stays)) {
+    while (has_violations() && insert(Inserted::fixed)) {
       relaxer_.relax(level_, result_.state, 0);
       dualise();
     }
@@ -66,7 +66,8 @@ class SurfaceRepair {
 
   void tidy() {
     LabelledSites& state = result_.state;
-    keep_one_piece(*level_.mesh, state.sites.size(), level_.is_on_curve, state.labels, executor_);
+    keep_one_component(*level_.mesh, state.sites.size(), level_.is_on_curve, state.labels,
+                       executor_);
     fill_gaps(*level_.mesh, state.sites.positions, state.labels);
     // A patch that its last site has left gets one again.
     for (VertexId v = 0; v < state.labels.size(); ++v) {
@@ -100,7 +101,7 @@ class SurfaceRepair {
   bool insert(Inserted how) {
     SurfaceSites& sites = result_.state.sites;
     const std::vector<VertexId> places = insertion_places();
-    if (how == Inserted::may_move) make_room(places.size());
+    if (how == Inserted::free) make_room(places.size());
     const std::size_t before = sites.size();
     for (const VertexId v : places) {
       if (level_.is_on_curve[v] != 0) {
@@ -108,7 +109,7 @@ class SurfaceRepair {
       } else {
         result_.state.labels[v] = static_cast<RegionId>(sites.size());
         sites.add(input_.fine.positions[v], level_.patch[v]);
-        sites.stays.back() = how == Inserted::stays ? 1 : 0;
+        sites.is_fixed.back() = how == Inserted::fixed ? 1 : 0;
       }
     }
     return sites.size() > before;
@@ -152,12 +153,12 @@ class SurfaceRepair {
   // Sites that were held where they were inserted are seldom at rest. As it was, if violations come
   // back.
   void try_without_holding() {
-    std::vector<std::uint8_t>& stays = result_.state.sites.stays;
+    std::vector<std::uint8_t>& is_fixed = result_.state.sites.is_fixed;
     const auto first_free =
-        stays.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.on_curves);
-    if (std::count(first_free, stays.end(), 1) == 0) return;
+        is_fixed.begin() + static_cast<std::ptrdiff_t>(result_.state.sites.on_curves);
+    if (std::count(first_free, is_fixed.end(), 1) == 0) return;
     const DualisedSites before = result_;
-    std::fill(first_free, stays.end(), std::uint8_t{0});
+    std::fill(first_free, is_fixed.end(), std::uint8_t{0});
     relaxer_.relax(level_, result_.state, more_iterations);
     dualise();
     if (has_violations() || result_.state.sites.size() != before.state.sites.size()) {
@@ -165,16 +166,16 @@ class SurfaceRepair {
     }
   }
 
-  // Those of inserted sites that stay.
+  // Neighbours of inserted sites that are fixed.
   void hold_neighbours() {
     SurfaceSites& sites = result_.state.sites;
-    std::vector<std::uint8_t> stays = sites.stays;
-    const auto is_held = [&](RegionId r) { return r >= sites.on_curves && sites.stays[r] != 0; };
+    std::vector<std::uint8_t> is_fixed = sites.is_fixed;
+    const auto is_held = [&](RegionId r) { return r >= sites.on_curves && sites.is_fixed[r] != 0; };
     for (const Triangle& t : result_.dual.triangles) {
       if (!std::any_of(t.begin(), t.end(), is_held)) continue;
-      for (const RegionId r : t) stays[r] = 1;
+      for (const RegionId r : t) is_fixed[r] = 1;
     }
-    sites.stays = std::move(stays);
+    sites.is_fixed = std::move(is_fixed);
   }
 
   // Removes sites of least energy so that with `count` more there are as many as wanted: free ones
@@ -185,7 +186,7 @@ class SurfaceRepair {
     constexpr std::size_t few = 16;
     std::vector<std::size_t> of_patch(budget_.free.size(), 0);
     for (std::size_t r = sites.on_curves; r < sites.size(); ++r) ++of_patch[sites.patch[r]];
-    std::vector<std::uint8_t> is_needed = sites.stays;
+    std::vector<std::uint8_t> is_needed = sites.is_fixed;
     for (const RegionId r : regions_of_violations()) is_needed[r] = 1;
     const CellEnergies energies(input_.fine, result_.cells);
     std::vector<std::pair<double, RegionId>> by_energy;
@@ -209,7 +210,7 @@ class SurfaceRepair {
     const auto at = static_cast<std::ptrdiff_t>(added);
     state.sites.positions.insert(state.sites.positions.begin() + at, input_.fine.positions[v]);
     state.sites.patch.insert(state.sites.patch.begin() + at, no_id);
-    state.sites.stays.insert(state.sites.stays.begin() + at, 1);
+    state.sites.is_fixed.insert(state.sites.is_fixed.begin() + at, 1);
     ++state.sites.on_curves;
     for (RegionId& label : state.labels) {
       if (label != no_id && label >= added) ++label;

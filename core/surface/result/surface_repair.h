@@ -16,10 +16,10 @@ struct DualisedSites {
 
 /// Lets all sites move on the fine mesh, and inserts sites where the dual has violations of the
 /// closed ball property (seed_insertion.h), until it has none. As many sites with little energy are
-/// removed elsewhere, so that the number of sites stays. Where moving brings violations back, as
-/// where a sheet is thinner than a spacing, the inserted sites and their neighbours stay where they
-/// are; if the others cannot make room either, there are more sites than wanted. An interrupt ends
-/// the moving of sites, not their insertion.
+/// removed elsewhere, so that there are as many sites as before. Where moving brings violations
+/// back, as where a sheet is thinner than a spacing, the inserted sites and their neighbours are
+/// fixed; if the others cannot make room either, there are more sites than wanted. An interrupt
+/// ends the moving of sites, not their insertion.
 DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
                           Executor& executor = sequential());
 

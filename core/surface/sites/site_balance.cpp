@@ -58,7 +58,7 @@ class Balance {
     const std::size_t needed = count_large_cells(sites);
     for (const RegionId r : sites) {
       if (count + needed <= wanted) break;
-      if (sites_.stays[r] != 0 || !has_vertex(r)) continue;
+      if (sites_.is_fixed[r] != 0 || !has_vertex(r)) continue;
       is_removed_[r] = 1;
       --count;
     }
@@ -116,7 +116,7 @@ void remove_sites(std::span<const std::uint8_t> is_removed, SurfaceSites& sites,
     if (is_removed[r] != 0) continue;
     number[r] = static_cast<RegionId>(kept.size());
     kept.add(sites.positions[r], sites.patch[r]);
-    kept.stays.back() = sites.stays[r];
+    kept.is_fixed.back() = sites.is_fixed[r];
   }
   for (RegionId& label : labels) {
     if (label != no_id) label = number[label];

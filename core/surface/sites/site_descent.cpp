@@ -80,7 +80,7 @@ class Descent {
     state.gradient.assign(count, Vec3::Zero());
     state.energy = ordered_sum(executor_, count, [&](std::size_t i) {
       const Vec3& site = state.sites[i];
-      if (energies.area(i) > 0 && options_.stays[i] == 0) {
+      if (energies.area(i) > 0 && options_.is_fixed[i] == 0) {
         state.gradient[i] = energies.gradient(i, site);
       }
       return energies.at(i, site);
@@ -140,7 +140,7 @@ class Descent {
       const double longest = options_.inverse_sizing.empty()
                                  ? options_.longest_move
                                  : options_.longest_move / options_.inverse_sizing[i];
-      if (options_.stays[i] != 0) {
+      if (options_.is_fixed[i] != 0) {
         direction[i].setZero();
       } else if (length > longest) {
         direction[i] *= longest / length;

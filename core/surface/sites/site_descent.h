@@ -11,7 +11,7 @@
 namespace geolloyd {
 
 struct DescentOptions {
-  std::span<const std::uint8_t> stays;  ///< per site: not 0 where it must not move
+  std::span<const std::uint8_t> is_fixed;  ///< per site: not 0 where it must not move
   std::size_t most_iterations = 0;
   double longest_move = 0;  ///< of a site in one step, unit frame, where the inverse sizing is 1
   std::span<const double> inverse_sizing;  ///< per site; empty: 1

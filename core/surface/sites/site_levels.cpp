@@ -109,7 +109,7 @@ class LevelByLevel {
         inverse_sizing_at_sites(*on_->mesh, sites.size(), state.labels);
     const std::vector<Metric> metric = metric_at_sites(*on_->mesh, sites.size(), state.labels);
     for (std::size_t r = 0; r < sites.size(); ++r) {
-      if (sites.stays[r] != 0) continue;
+      if (sites.is_fixed[r] != 0) continue;
       const double reach = share * (inverse_sizing.empty() ? spacing : spacing / inverse_sizing[r]);
       Vec3 offset;
       for (int axis = 0; axis < 3; ++axis) {

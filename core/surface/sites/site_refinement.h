@@ -36,17 +36,17 @@ struct Adjacency {
 /// Those along an edge of the mesh; ascending, and each once.
 std::vector<Adjacency> adjacent_cells(const LevelMesh& level, std::span<const RegionId> labels);
 
-/// Free sites stay, and each pair of adjacent cells gets a new free site midway, unless they are
-/// neighbours on a curve. Every new site then has six neighbours. Those on curves are replaced.
+/// Free sites are kept, and each pair of adjacent cells gets a new free site midway, unless they
+/// are neighbours on a curve. Every new site then has six neighbours. Those on curves are replaced.
 /// Midway in `metric` (metric_at_sites()), if there is one: the square distances to both sites,
 /// each in its metric, have the least sum there.
 Refinement refine_sites(const SurfaceSites& old, std::span<const Adjacency> adjacent,
                         std::span<const std::array<RegionId, 2>> on_curves,
                         const CurveSites& at_curves, std::span<const Metric> metric = {});
 
-/// Per vertex: the nearest heir in its patch of its old label's site, of equals the smallest; no_id
-/// where there is none. `old_label` is per vertex of a coarser mesh, of which `stands_for` names
-/// one for each vertex.
+/// Per vertex: the nearest child site, in its patch, of its old label's site, of equals the
+/// smallest; no_id where there is none. `old_label` is per vertex of a coarser mesh, of which
+/// `stands_for` names one for each vertex.
 std::vector<RegionId> inherit_labels(const LevelMesh& level, const Refinement& refinement,
                                      std::span<const RegionId> old_label,
                                      std::span<const VertexId> stands_for,

@@ -29,7 +29,7 @@ SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
 
 void SiteRelaxer::sweep(const LevelMesh& level, LabelledSites& state) {
   SurfaceEngine& engine = engine_for(level);
-  keep_one_piece(*level.mesh, state.sites.size(), level.is_on_curve, state.labels, executor_);
+  keep_one_component(*level.mesh, state.sites.size(), level.is_on_curve, state.labels, executor_);
   engine.assign(std::move(state.labels), level.is_on_curve);
   engine.evaluate(state.sites.positions);
   state.labels = engine.labels();
@@ -44,7 +44,7 @@ double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::siz
       inverse_sizing_at_sites(*level.mesh, state.sites.size(), state.labels);
   engine.assign(std::move(state.labels), level.is_on_curve);
   DescentOptions options;
-  options.stays = state.sites.stays;
+  options.is_fixed = state.sites.is_fixed;
   options.most_iterations = is_interrupted_ ? 0 : iterations;
   options.longest_move = 0.5 * std::sqrt(sized_area_ / static_cast<double>(count));
   options.inverse_sizing = inverse_sizing;

@@ -80,7 +80,7 @@ std::vector<Metric> shapes_at(const Mesh& mesh, std::span<const Metric> shape,
   for (const SurfacePoint& place : places) {
     Metric mean = Metric::zero();
     for (std::size_t c = 0; c < 3; ++c) {
-      mean += place.weights[c] * shape[mesh.triangles[place.triangle][c]];
+      mean += place.barycentric[c] * shape[mesh.triangles[place.triangle][c]];
     }
     shapes.push_back(mean);
   }

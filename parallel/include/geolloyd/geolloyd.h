@@ -19,9 +19,9 @@
 #include "geolloyd/dual.h"        // dual: the mesh of a tessellation
 #include "geolloyd/errors.h"      // Error, InvalidInput, IoError
 #include "geolloyd/fields.h"      // curvature_field, cross_field
-#include "geolloyd/measure.h"     // quality and topology of a mesh
 #include "geolloyd/mesh.h"        // Mesh, read, write
 #include "geolloyd/properties.h"  // Properties: colours, normals, labels
+#include "geolloyd/quality.h"     // quality and topology of a mesh
 #include "geolloyd/relax.h"       // relax, voronoi, distances
 #include "geolloyd/remesh.h"      // remesh: the surface remesh
 #include "geolloyd/repair.h"      // repair

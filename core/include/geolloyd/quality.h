@@ -10,6 +10,15 @@
 
 namespace geolloyd {
 
+/// Angles, quality of triangles (Frey and Borouchaki 1999) and valences of a mesh, which may have
+/// no triangles. O(triangles). Throws InvalidInput where the mesh is not valid.
+struct MeshQuality quality(const Mesh& mesh);
+
+/// Connected parts and flaws of a mesh, which may have no triangles: of the triangles that have
+/// three vertices, and of the vertices they name. O(triangles). Throws InvalidInput where the mesh
+/// is not valid.
+struct MeshTopology find_topology(const Mesh& mesh);
+
 /// The figures by which remeshes are compared. Every triangle of the mesh counts, degenerate and
 /// duplicate ones as well. A vertex is inner where each of its edges, at least one, has exactly two
 /// triangles; its valence is the number of these edges. Without triangles, or without inner
@@ -26,9 +35,6 @@ struct MeshQuality {
   double share_valence_6 = none;       ///< of inner vertices
   double share_valence_5_to_7 = none;  ///< of inner vertices
 };
-
-/// Throws InvalidInput where the mesh is not valid; it may have no triangles.
-MeshQuality measure_quality(const Mesh& mesh);
 
 /// What a connected part of a surface is like up to bending: with orientability, all that
 /// distinguishes surfaces with boundary (classification of compact surfaces).
@@ -57,9 +63,5 @@ struct MeshTopology {
 
   friend bool operator==(const MeshTopology&, const MeshTopology&) = default;
 };
-
-/// Of the triangles that have three vertices, and of the vertices they name. Throws InvalidInput
-/// where the mesh is not valid; it may have no triangles.
-MeshTopology find_topology(const Mesh& mesh);
 
 }  // namespace geolloyd
