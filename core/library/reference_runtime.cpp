@@ -1,30 +1,25 @@
-#include "core/base/executor.h"
+#include "core/library/reference_runtime.h"
+
 #include "core/lloyd/reference_engine.h"
 #include "core/surface/cells/reference_surface_engine.h"
 #include "core/voronoi/growing_search.h"
-#include "geolloyd/runtime.h"
 
 namespace geolloyd {
-namespace {
 
-class ReferenceRuntime final : public Runtime {
- public:
-  Executor& executor() override { return sequential(); }
-  std::unique_ptr<Engine> make_engine(const Graph& graph) override {
-    return make_reference_engine(graph);
-  }
-  std::unique_ptr<GrowingSearch> make_growing_search(const Graph& graph) override {
-    return geolloyd::make_growing_search(graph);
-  }
-  std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) override {
-    return make_reference_surface_engine(mesh);
-  }
-};
+std::unique_ptr<Engine> ReferenceRuntime::make_engine(const Graph& graph) {
+  return make_reference_engine(graph);
+}
 
-}  // namespace
+std::unique_ptr<GrowingSearch> ReferenceRuntime::make_growing_search(const Graph& graph) {
+  return geolloyd::make_growing_search(graph);
+}
+
+std::unique_ptr<SurfaceEngine> ReferenceRuntime::make_surface_engine(const FineMesh& mesh) {
+  return make_reference_surface_engine(mesh);
+}
 
 Runtime& reference_runtime() {
-  static ReferenceRuntime runtime;
+  static ReferenceRuntime runtime(sequential());
   return runtime;
 }
 
