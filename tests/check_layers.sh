@@ -28,6 +28,7 @@ core/seeds: nearest_nodes seed_file seed_places seeds
 core/lloyd: engine paired_engine reference_engine relaxation seed_move
 core/regions: graph_dual regions_of_nodes tessellation
 core/start: first_seeds
+core/course
 core/library
 parallel/include/geolloyd
 parallel/threads: atomic_key available_cores control_groups scheduler

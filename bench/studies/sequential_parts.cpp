@@ -142,9 +142,7 @@ void print_table(std::size_t triangles, std::size_t seeds) {
   table.row("surface remesh", [&] {
     RemeshOptions options;
     options.vertex_count = seeds;
-    return make_remesh(
-        mesh, edges, options,
-        [&](const FineMesh& fine) { return runtime.make_surface_engine(fine); }, threads);
+    return make_remesh(mesh, edges, options, runtime);
   });
 }
 

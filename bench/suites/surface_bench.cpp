@@ -11,7 +11,6 @@
 #include "core/base/random.h"
 #include "core/dual/seed_insertion.h"
 #include "core/surface/cells/cell_labels.h"
-#include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/features/creases.h"
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/result/remesh.h"
@@ -21,7 +20,7 @@
 #include "core/surface/sites/site_refinement.h"
 #include "core/surface/sizing/curvature.h"
 #include "core/surface/sizing/sizing.h"
-#include "parallel/surface/parallel_surface_engine.h"
+#include "geolloyd/threads.h"
 #include "parallel/threads/scheduler.h"
 
 namespace geolloyd {
@@ -29,20 +28,19 @@ namespace {
 
 // Who works: the calling thread with the reference engine, or threads with the parallel one.
 struct Workers {
-  Executor& executor;
-  MakeSurfaceEngine make_engine;
+  Runtime& runtime;
   bool are_reference;
+
+  [[nodiscard]] Executor& executor() const { return runtime.executor(); }
 };
 
 void with_workers(Run& run, void (*body)(Run&, const Workers&)) {
   if (run.threads() == Setting::sequential) {
-    body(run, {sequential(), make_reference_surface_engine, true});
+    body(run, {reference_runtime(), true});
     return;
   }
-  Scheduler scheduler(run.threads());
-  body(run, {scheduler,
-             [&](const FineMesh& mesh) { return make_parallel_surface_engine(mesh, scheduler); },
-             false});
+  Threads threads(run.threads());
+  body(run, {threads, false});
 }
 
 bool same_mesh_bytes(const FineMesh& a, const FineMesh& b) {
@@ -73,7 +71,7 @@ void make_input(Run& run, const Workers& workers) {
   const SurfaceInput& expected = in.surface(run.seeds()).input();
   const SurfaceFineness fineness = surface_fineness(in.mesh(), in.edges(), run.seeds());
   const auto work = [&] {
-    return make_surface_input(in.mesh(), fineness.options, workers.executor);
+    return make_surface_input(in.mesh(), fineness.options, workers.executor());
   };
   run.verify("not the surface of the mesh", [&] {
     const SurfaceInput made = work();
@@ -106,7 +104,9 @@ bool are_levels(const LevelMeshes& levels, const LevelMeshes& expected, std::siz
 
 void make_levels(Run& run, const Workers& workers) {
   const RestedSurface& start = run.inputs().surface(run.seeds());
-  const auto work = [&] { return LevelMeshes(start.surface(), start.spacings, workers.executor); };
+  const auto work = [&] {
+    return LevelMeshes(start.surface(), start.spacings, workers.executor());
+  };
   run.verify("not the levels of the calling thread", [&] {
     const LevelMeshes expected(start.surface(), start.spacings);
     return are_levels(work(), expected, start.spacings.size());
@@ -131,9 +131,8 @@ std::vector<Vec3> shifted_sites(const RestedSurface& start) {
   return shifted;
 }
 
-std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start,
-                                              const MakeSurfaceEngine& make_engine) {
-  auto engine = make_engine(start.input().fine);
+std::unique_ptr<SurfaceEngine> engine_at_rest(const RestedSurface& start, Runtime& runtime) {
+  auto engine = runtime.make_surface_engine(start.input().fine);
   engine->assign(start.resting.state.labels, fine_level(start.surface()).is_on_curve);
   return engine;
 }
@@ -148,9 +147,9 @@ void evaluate(Run& run, const Workers& workers) {
   const RestedSurface& start = run.inputs().surface(run.seeds());
   std::vector<Vec3> from = start.resting.state.sites.positions;
   std::vector<Vec3> to = shifted_sites(start);
-  const auto engine = engine_at_rest(start, workers.make_engine);
+  const auto engine = engine_at_rest(start, workers.runtime);
   run.verify("not the labels or moments of the reference", [&] {
-    const auto reference = engine_at_rest(start, make_reference_surface_engine);
+    const auto reference = engine_at_rest(start, reference_runtime());
     return evaluate_alike(*engine, *reference, from) && evaluate_alike(*engine, *reference, to) &&
            evaluate_alike(*engine, *reference, from);
   });
@@ -185,15 +184,15 @@ bool went_down(const RestedSurface& start, const Descended& descended) {
 
 void descend(Run& run, const Workers& workers) {
   const RestedSurface& start = run.inputs().surface(run.seeds());
-  const auto engine = workers.make_engine(start.input().fine);
+  const auto engine = workers.runtime.make_surface_engine(start.input().fine);
   const LevelMesh level = fine_level(start.surface());
   const auto prepare = [&] { engine->assign(start.resting.state.labels, level.is_on_curve); };
-  const auto work = [&] { return descend_ten(start, *engine, workers.executor); };
+  const auto work = [&] { return descend_ten(start, *engine, workers.executor()); };
   run.verify("not the way down of the reference", [&] {
     prepare();
     const Descended found = work();
     if (workers.are_reference) return went_down(start, found);
-    const auto reference = engine_at_rest(start, make_reference_surface_engine);
+    const auto reference = engine_at_rest(start, reference_runtime());
     const Descended expected = descend_ten(start, *reference, sequential());
     return same_bytes(found.sites, expected.sites) && same_bytes(found.energy, expected.energy);
   });
@@ -242,7 +241,7 @@ void refine(Run& run, const Workers& workers) {
   std::vector<VertexId> itself(start.input().fine.vertex_count());
   std::iota(itself.begin(), itself.end(), VertexId{0});
   const auto work = [&] {
-    return refine_at_rest(start, finer, on_curves, itself, workers.executor);
+    return refine_at_rest(start, finer, on_curves, itself, workers.executor());
   };
   run.verify("not the nearest of the child_sites", [&] {
     const Refined found = work();
@@ -259,12 +258,12 @@ struct Repaired {
 };
 
 Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::size_t sites,
-                        const MakeSurfaceEngine& make_engine, Executor& executor) {
+                        Runtime& runtime) {
   RemeshOptions options;
   options.vertex_count = sites;
-  SiteRelaxer relaxer(make_engine, options, start.input().fine.whole_area,
-                      1 / start.input().frame.scale, executor);
-  DualisedSites dualised = repair_dual(start.surface(), std::move(resting), relaxer, executor);
+  SiteRelaxer relaxer(start.input(), options, runtime);
+  DualisedSites dualised =
+      repair_dual(start.surface(), std::move(resting), relaxer, runtime.executor());
   return {std::move(dualised), relaxer.fingerprint()};
 }
 
@@ -277,8 +276,7 @@ struct LabelledDual {
 
 LabelledDual dual_at_rest(const RestedSurface& start, std::size_t sites) {
   DualisedSites dualised =
-      repair_at_rest(start, start.resting, sites, make_reference_surface_engine, sequential())
-          .dualised;
+      repair_at_rest(start, start.resting, sites, reference_runtime()).dualised;
   LabelledDual dual;
   for (const Vec3& site : dualised.state.sites.positions) {
     dual.mesh.positions.push_back(start.input().frame.to_mesh(site));
@@ -295,14 +293,13 @@ void repair(Run& run, const Workers& workers) {
   RestingSites resting;
   const auto prepare = [&] { resting = start.resting; };
   const auto work = [&] {
-    return repair_at_rest(start, std::move(resting), sites, workers.make_engine, workers.executor);
+    return repair_at_rest(start, std::move(resting), sites, workers.runtime);
   };
   run.verify("not the dual of the reference", [&] {
     prepare();
     const Repaired found = work();
     if (workers.are_reference) return !any_removable(found.dualised.dual.violations);
-    const Repaired expected =
-        repair_at_rest(start, start.resting, sites, make_reference_surface_engine, sequential());
+    const Repaired expected = repair_at_rest(start, start.resting, sites, reference_runtime());
     return found.fingerprint == expected.fingerprint &&
            found.dualised.dual.triangles == expected.dualised.dual.triangles;
   });
@@ -316,7 +313,7 @@ void fit(Run& run, const Workers& workers) {
   Mesh mesh;
   const auto prepare = [&] { mesh = dual.mesh; };
   const auto work = [&] {
-    return fit_to_surface(start.input(), dual.labels, dual.on_curves, {}, mesh, workers.executor);
+    return fit_to_surface(start.input(), dual.labels, dual.on_curves, {}, mesh, workers.executor());
   };
   run.verify("not closer, or not the fit of the calling thread", [&] {
     prepare();
@@ -335,7 +332,7 @@ void find_creases(Run& run, const Workers& workers) {
   FeatureOptions options;
   options.creases = Creases::by_angle;
   const auto work = [&] {
-    return find_features(in.mesh(), in.edges(), options, 0, workers.executor);
+    return find_features(in.mesh(), in.edges(), options, 0, workers.executor());
   };
   run.verify("not the features of the calling thread",
              [&] { return work() == find_features(in.mesh(), in.edges(), options, 0); });
@@ -356,8 +353,8 @@ void find_sizes(Run& run, const Workers& workers) {
     return find_sizing(in.mesh(), in.edges(), lengths, options, executor).sizes;
   };
   run.verify("not the sizes of the calling thread",
-             [&] { return same_bytes(sizes(workers.executor), sizes(sequential())); });
-  run.measure([&] { return sizes(workers.executor); });
+             [&] { return same_bytes(sizes(workers.executor()), sizes(sequential())); });
+  run.measure([&] { return sizes(workers.executor()); });
   run.rate("vertices/s", in.mesh().vertex_count());
 }
 
@@ -367,7 +364,7 @@ void remesh(Run& run, const Workers& workers) {
   options.vertex_count = run.seeds();
   const Remesh& expected = in.surface_remesh(run.seeds());
   const auto work = [&] {
-    return make_remesh(in.mesh(), in.edges(), options, workers.make_engine, workers.executor);
+    return make_remesh(in.mesh(), in.edges(), options, workers.runtime);
   };
   // Of the reference verified when its result was made, once for all.
   if (!workers.are_reference) {

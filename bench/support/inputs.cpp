@@ -8,7 +8,6 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/seeds/seeds.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/result/remesh.h"
 #include "core/voronoi/check_partition.h"
 #include "core/voronoi/dijkstra.h"
@@ -189,7 +188,7 @@ const Remesh& Inputs::surface_remesh(std::size_t sites) {
   return surface_remesh_.get(sites, [&] {
     RemeshOptions options;
     options.vertex_count = sites;
-    Remesh remesh = make_remesh(mesh(), edges(), options, make_reference_surface_engine);
+    Remesh remesh = make_remesh(mesh(), edges(), options, reference_runtime());
     require(remesh.has_input_topology(), "the remesh is no manifold like the mesh");
     return remesh;
   });

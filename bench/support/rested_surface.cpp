@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/mesh/mesh_measure.h"
-#include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/sites/site_relaxer.h"
 
 namespace geolloyd {
@@ -42,14 +41,12 @@ SurfaceFineness surface_fineness(const Mesh& mesh, const MeshEdges& edges, std::
 }
 
 RestedSurface rest_on_surface(const Mesh& mesh, const MeshEdges& edges, std::size_t sites) {
-  const MakeSurfaceEngine make_engine = make_reference_surface_engine;
   const double area = surface_fineness(mesh, edges, sites).area;
   RestedSurface rested{
-      make_surface_start(mesh, edges.duplicates, area, sites, {}, {}, make_engine), {}, 0};
+      make_surface_start(mesh, edges.duplicates, area, sites, {}, {}, reference_runtime()), {}, 0};
   rested.spacings = spacings_of_levels(SiteBudgeter(rested.surface()), sites);
   const RemeshOptions options;
-  SiteRelaxer relaxer(make_engine, options, rested.input().fine.whole_area,
-                      1 / rested.input().frame.scale, sequential());
+  SiteRelaxer relaxer(rested.input(), options, reference_runtime());
   relaxer.sweep(fine_level(rested.surface()), rested.resting.state);
   rested.energy = energy_of(rested.input(), rested.resting.state, relaxer.cells().moments);
   return rested;

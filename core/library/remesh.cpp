@@ -3,25 +3,22 @@
 #include <string>
 #include <utility>
 
+#include "core/course/remesh_course.h"
 #include "core/library/tessellated_graph.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/properties.h"
 #include "core/mesh/property_mixture.h"
-#include "core/surface/cells/surface_engine.h"
-#include "core/surface/result/remesh.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 
 Remesh remesh(const Mesh& mesh, const RemeshOptions& options, Runtime& runtime) {
   validate(mesh);
-  const MeshEdges edges = find_edges(mesh, runtime.executor());
-  RemeshOptions checked = options;
-  checked.field = checked_field(options.field, mesh.vertex_count());
-  return make_remesh(
-      mesh, edges, checked,
-      [&runtime](const FineMesh& fine) { return runtime.make_surface_engine(fine); },
-      runtime.executor());
+  MeshEdges edges = find_edges(mesh, runtime.executor());
+  RemeshCourse course{mesh, edges, options, runtime};
+  course.options.field = checked_field(options.field, mesh.vertex_count());
+  course.release_edges = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+  return run(std::move(course)).remesh;
 }
 
 std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& of_vertices,

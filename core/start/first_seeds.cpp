@@ -42,9 +42,8 @@ std::vector<SeedPlace> find_first_places(const Mesh& mesh, std::span<const Trian
   double area = 0;
   for (const double a : triangle_areas(mesh, duplicates, runtime.executor())) area += a;
   if (options.count < fewest_sites || !(area > 0) || !can_spread(options.field)) return {};
-  const SurfaceStart start = make_surface_start(
-      mesh, duplicates, area, options.count, options.field, start_effort,
-      [&](const FineMesh& fine) { return runtime.make_surface_engine(fine); }, runtime.executor());
+  const SurfaceStart start = make_surface_start(mesh, duplicates, area, options.count,
+                                                options.field, start_effort, runtime);
   const LabelledSites& state = start.resting.state;
   std::vector<SeedPlace> places;
   for (const SurfacePoint& point :

@@ -7,7 +7,7 @@
 #include "core/base/buffer.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/sizing/field_metric.h"
-#include "core/surface/sizing/sizing.h"
+#include "core/surface/sizing/recipe.h"
 
 namespace geolloyd {
 namespace {
@@ -54,15 +54,15 @@ SurfaceInputOptions surface_options(const Mesh& mesh, std::span<const TriangleId
                                     double area, std::size_t sites) {
   SurfaceInputOptions options;
   options.duplicates = duplicates;
-  options.longest_edge = 0.6 * std::sqrt(area / static_cast<double>(sites));
-  options.vertex_limit = 20 * sites + 4 * mesh.vertex_count();
+  options.longest_edge = longest_edge(area, sites);
+  options.vertex_limit = vertex_limit(mesh, sites);
   return options;
 }
 
 SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
                                 double area, std::size_t sites, std::span<const TangentSpace> field,
-                                const RestEffort& effort, const MakeSurfaceEngine& make_engine,
-                                Executor& executor) {
+                                const RestEffort& effort, Runtime& runtime) {
+  Executor& executor = runtime.executor();
   const Spread spread = spread_by(field, mesh, duplicates, executor);
   SurfaceInputOptions input_options = surface_options(mesh, duplicates, area, sites);
   input_options.sizes = spread.sizes;
@@ -70,11 +70,11 @@ SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> du
   SurfaceStart start;
   start.whole =
       std::make_unique<const SurfaceInput>(make_surface_input(mesh, input_options, executor));
-  const double sized_area = start.input().fine.whole_sized_area;
-  const double spacing = spacing_of(sized_area, static_cast<double>(sites));
+  const double spacing =
+      spacing_of(start.input().fine.whole_sized_area, static_cast<double>(sites));
   start.divided = std::make_unique<const DividedSurface>(start.input(), spacing, true, executor);
   const RemeshOptions options;
-  SiteRelaxer relaxer(make_engine, options, sized_area, 1 / start.input().frame.scale, executor);
+  SiteRelaxer relaxer(start.input(), options, runtime);
   start.resting = rest_sites(start.surface(), sites, relaxer, effort, executor);
   return start;
 }

@@ -3,13 +3,12 @@
 #include <memory>
 #include <span>
 
-#include "core/base/executor.h"
 #include "core/mesh/mesh.h"
-#include "core/surface/cells/surface_engine.h"
 #include "core/surface/features/patches.h"
 #include "core/surface/sites/site_levels.h"
 #include "core/surface/substrate/surface_input.h"
 #include "geolloyd/choices.h"
+#include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
@@ -36,7 +35,6 @@ bool can_spread(std::span<const TangentSpace> field);
 /// spread by the metric of `field`, if there is one, which they can follow.
 SurfaceStart make_surface_start(const Mesh& mesh, std::span<const TriangleId> duplicates,
                                 double area, std::size_t sites, std::span<const TangentSpace> field,
-                                const RestEffort& effort, const MakeSurfaceEngine& make_engine,
-                                Executor& executor = sequential());
+                                const RestEffort& effort, Runtime& runtime);
 
 }  // namespace geolloyd

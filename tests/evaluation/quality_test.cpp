@@ -8,6 +8,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/threads.h"
 #include "tests/support/program.h"
 
 namespace geolloyd {
@@ -22,13 +23,13 @@ TEST(Quality, OfATriangularGridHasNearlyTheEnergyOfHexagons) {
   TemporaryFolder folder;
   const fs::path coarse = folder.path() / "coarse.ply";
   write(coarse, refine(rhombus, 40));
-  Scheduler scheduler(2);
+  Threads runtime(2);
   ProgressLine progress;
   for (const std::uint32_t frequency : {40U, 57U, 80U, 400U}) {
     SCOPED_TRACE(frequency);
     const fs::path original = folder.path() / "original.ply";
     write(original, refine(rhombus, frequency));
-    const QualityRecord record = judge({coarse, original, {}, 1'000}, scheduler, progress);
+    const QualityRecord record = judge({coarse, original, {}, 1'000}, runtime, progress);
     ASSERT_TRUE(record.likeness);
     EXPECT_NEAR(record.likeness->energy / record.likeness->hexagonal, 1, 0.06);
     EXPECT_NEAR(record.likeness->distance.two_sided().largest, 0, 1e-12);

@@ -12,10 +12,9 @@
 
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/result/remesh.h"
 #include "core/text/file_io.h"
-#include "parallel/surface/parallel_surface_engine.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/sanitizers.h"
 #include "tools/words/names.h"
@@ -67,22 +66,20 @@ std::vector<GoldenRemesh> read_remeshes() {
 
 // The row with the fingerprint that came out.
 std::string outcome_of(GoldenRemesh row, const Mesh& mesh, const MeshEdges& edges,
-                       const MakeSurfaceEngine& make_engine, Executor& executor) {
+                       Runtime& runtime) {
   RemeshOptions options;
   options.vertex_count = row.vertices;
-  if (row.field == "curvature") options.field = curvature_field(mesh, edges, executor);
+  if (row.field == "curvature") options.field = curvature_field(mesh, edges, runtime.executor());
   std::ostringstream digits;
-  digits << std::hex << make_remesh(mesh, edges, options, make_engine, executor).fingerprint;
+  digits << std::hex << make_remesh(mesh, edges, options, runtime).fingerprint;
   row.fingerprint = std::string(16 - digits.str().size(), '0') + digits.str();
   return testing::PrintToString(row);
 }
 
 std::string outcome_in_parallel(const GoldenRemesh& row, const Mesh& mesh, const MeshEdges& edges,
                                 Scheduler& scheduler) {
-  const auto make_engine = [&](const FineMesh& fine) {
-    return make_parallel_surface_engine(fine, scheduler);
-  };
-  return outcome_of(row, mesh, edges, make_engine, scheduler);
+  SchedulerRuntime runtime(scheduler);
+  return outcome_of(row, mesh, edges, runtime);
 }
 
 Mesh make_shape(const GoldenRemesh& row) {
@@ -113,9 +110,8 @@ class GoldenRemeshFingerprint : public testing::TestWithParam<GoldenRemesh> {
 
 TEST_P(GoldenRemeshFingerprint, OfTheReference) {
   const Mesh mesh = make_shape(GetParam());
-  EXPECT_EQ(
-      outcome_of(GetParam(), mesh, find_edges(mesh), make_reference_surface_engine, sequential()),
-      testing::PrintToString(GetParam()));
+  EXPECT_EQ(outcome_of(GetParam(), mesh, find_edges(mesh), reference_runtime()),
+            testing::PrintToString(GetParam()));
 }
 
 // Small meshes by each number of threads of each backend, larger ones by each number of threads.

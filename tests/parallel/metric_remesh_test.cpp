@@ -10,8 +10,7 @@
 #include "core/shapes/shapes.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/field_metric.h"
-#include "parallel/surface/parallel_surface_engine.h"
-#include "parallel/threads/scheduler.h"
+#include "geolloyd/threads.h"
 #include "tests/support/sanitizers.h"
 
 namespace geolloyd {
@@ -50,10 +49,7 @@ class MetricRemesh : public testing::Test {
     options.vertex_count = 1024;
     for (const Vec3& p : mesh.positions) options.field.push_back(field(p));
     JudgedRemesh judged;
-    judged.remesh = make_remesh(
-        mesh, find_edges(mesh), options,
-        [&](const FineMesh& fine) { return make_parallel_surface_engine(fine, scheduler_); },
-        scheduler_);
+    judged.remesh = make_remesh(mesh, find_edges(mesh), options, runtime_);
     judged.quality =
         measure_quality(judged.remesh.mesh, find_edges(judged.remesh.mesh),
                         shapes_at(mesh, shapes_of(options.field), judged.remesh.places));
@@ -61,7 +57,7 @@ class MetricRemesh : public testing::Test {
   }
 
  private:
-  Scheduler scheduler_;
+  Threads runtime_;
 };
 
 void expect_regular(const JudgedRemesh& judged, double quality, double valence_6) {

@@ -17,6 +17,7 @@
 #include "core/surface/result/site_places.h"
 #include "core/surface/sites/site_descent.h"
 #include "core/surface/substrate/coarse_mesh.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/agreement.h"
@@ -230,7 +231,8 @@ TEST(SurfaceEngines, LetSitesDescendAlike) {
     std::vector<Vec3> sites = sited.sites;
     std::vector<double> numbers;
     DescentOptions options{
-        is_fixed, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0, [&](double energy) {
+        is_fixed, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0,
+        [&](double energy, std::span<const Vec3>) {
           numbers.push_back(energy);
           return true;
         }};
@@ -323,13 +325,11 @@ TEST(SurfaceStages, PlaceSitesAlike) {
 
 // By the reference alone, and by the incremental engine on all threads.
 void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options) {
-  const Remesh expected = make_remesh(mesh, edges, options, make_reference_surface_engine);
+  const Remesh expected = make_remesh(mesh, edges, options, reference_runtime());
   EXPECT_TRUE(expected.has_input_topology());
   for_schedulers([&](Scheduler& scheduler) {
-    const auto make_engine = [&](const FineMesh& fine) {
-      return make_parallel_surface_engine(fine, scheduler);
-    };
-    const Remesh remesh = make_remesh(mesh, edges, options, make_engine, scheduler);
+    SchedulerRuntime runtime(scheduler);
+    const Remesh remesh = make_remesh(mesh, edges, options, runtime);
     EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
     EXPECT_TRUE(same_bytes(remesh.mesh.positions, expected.mesh.positions));
     EXPECT_TRUE(same_bytes(remesh.edge_lengths, expected.edge_lengths));

@@ -259,7 +259,7 @@ const BadOption bad_options[] = {
     {"EdgeLengthOfNothing", "remesh torus.ply -o r.ply --edge-length 0",
      "--edge-length: '0': give a number above 0"},
     {"EdgeLengthTooShort", "remesh torus.ply -o r.ply --edge-length 1e-9",
-     "--edge-length 1e-09: the remesh would have more than"},
+     "edge length 1e-09: the remesh would have more than"},
     {"ToleranceOfNothing", "remesh torus.ply -o r.ply --tolerance 0%",
      "--tolerance: '0%': give a distance above 0, or like 0.5%"},
     {"FeatureAngle", "remesh torus.ply -o r.ply -n 100 --features 181",

@@ -20,7 +20,7 @@
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
 #include "tools/render/surface_colours.h"
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/system/memory_estimate.h"
 
 namespace geolloyd {

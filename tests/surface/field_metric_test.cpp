@@ -133,7 +133,7 @@ TEST(FieldRemesh, HasEdgesOfOneLengthInTheMetric) {
   RemeshOptions options;
   options.edge_length = 0.2;
   options.field.assign(mesh.vertex_count(), {Vec3::UnitX(), Vec3::UnitY(), 3, 1});
-  const Remesh remesh = make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
+  const Remesh remesh = make_remesh(mesh, find_edges(mesh), options, reference_runtime());
   EXPECT_TRUE(remesh.has_input_topology());
   Mesh mapped = remesh.mesh;
   for (Vec3& p : mapped.positions) p.x() *= 3;
@@ -160,7 +160,7 @@ TEST(FieldRemesh, OfARoundFieldIsThatOfItsSizes) {
     by_sizes.sizing.edge_lengths.push_back(size);
   }
   const auto remesh = [&](const RemeshOptions& options) {
-    return make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine);
+    return make_remesh(mesh, find_edges(mesh), options, reference_runtime());
   };
   const Remesh a = remesh(by_field);
   const Remesh b = remesh(by_sizes);
@@ -173,7 +173,7 @@ TEST(FieldRemesh, RefusesAFieldOfAnotherMesh) {
   RemeshOptions options;
   options.vertex_count = 20;
   options.field.resize(mesh.vertex_count() + 1);
-  EXPECT_THROW(make_remesh(mesh, find_edges(mesh), options, make_reference_surface_engine),
+  EXPECT_THROW(make_remesh(mesh, find_edges(mesh), options, reference_runtime()),
                InvalidInput);
 }
 

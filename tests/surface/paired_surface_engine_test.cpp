@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/course/paired_surfaces.h"
 #include "core/lloyd/paired_engine.h"
 #include "core/shapes/shapes.h"
 #include "core/surface/cells/reference_surface_engine.h"
@@ -47,24 +48,38 @@ class FaultySurfaceEngine final : public SurfaceEngine {
   Cells cells_;
 };
 
-Remesh remesh_with(const MakeSurfaceEngine& make_engine, bool has_field = false) {
+class FaultyRuntime final : public Runtime {
+ public:
+  FaultyRuntime(FaultySurfaceEngine::Fault fault, int after) : fault_(fault), after_(after) {}
+
+  Executor& executor() override { return sequential(); }
+  std::unique_ptr<Engine> make_engine(const Graph&) override { return nullptr; }
+  std::unique_ptr<GrowingSearch> make_growing_search(const Graph&) override { return nullptr; }
+  std::unique_ptr<SurfaceEngine> make_surface_engine(const FineMesh& mesh) override {
+    return std::make_unique<FaultySurfaceEngine>(mesh, fault_, after_);
+  }
+
+ private:
+  FaultySurfaceEngine::Fault fault_;
+  int after_;
+};
+
+Remesh remesh_with(Runtime& runtime, bool has_field = false) {
   const Mesh mesh = torus(500, 1);
   RemeshOptions options;
   options.vertex_count = 40;
   if (has_field) {
     options.field.assign(mesh.vertex_count(), {Vec3::UnitX(), Vec3::UnitY(), 1, 1});
   }
-  return make_remesh(mesh, find_edges(mesh), options, make_engine);
+  return make_remesh(mesh, find_edges(mesh), options, runtime);
 }
 
 std::string complaint(FaultySurfaceEngine::Fault fault, int after) {
   SurfaceComparison comparison;
-  const auto faulty = [&](const FineMesh& mesh) {
-    return std::make_unique<FaultySurfaceEngine>(mesh, fault, after);
-  };
+  FaultyRuntime faulty(fault, after);
+  PairedSurfaces pairs(reference_runtime(), faulty, comparison);
   try {
-    remesh_with(make_paired_surface_engines(make_reference_surface_engine, faulty, comparison),
-                fault == FaultySurfaceEngine::Fault::metric);
+    remesh_with(pairs, fault == FaultySurfaceEngine::Fault::metric);
   } catch (const Disagreement& difference) {
     return difference.what();
   }
@@ -88,9 +103,9 @@ TEST(PairedSurfaceEngine, NamesTheFirstEvaluationPlaceAndValueThatDiffer) {
 
 TEST(PairedSurfaceEngine, IsSilentWhereBothAgree) {
   SurfaceComparison comparison;
-  const Remesh paired = remesh_with(make_paired_surface_engines(
-      make_reference_surface_engine, make_reference_surface_engine, comparison));
-  const Remesh alone = remesh_with(make_reference_surface_engine);
+  PairedSurfaces pairs(reference_runtime(), reference_runtime(), comparison);
+  const Remesh paired = remesh_with(pairs);
+  const Remesh alone = remesh_with(reference_runtime());
   EXPECT_EQ(paired.fingerprint, alone.fingerprint);
   EXPECT_EQ(paired.mesh.positions, alone.mesh.positions);
   EXPECT_GT(comparison.evaluations, comparison.meshes);

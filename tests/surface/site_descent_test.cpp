@@ -59,7 +59,7 @@ class RelaxedGround {
     options.is_fixed = is_fixed;
     options.most_iterations = iterations;
     options.longest_move = longest_move;
-    options.keep_going = [&](double energy) {
+    options.keep_going = [&](double energy, std::span<const Vec3>) {
       energies.push_back(energy);
       return true;
     };
@@ -221,7 +221,7 @@ TEST(SiteDescent, EndsWhereLittleIsGained) {
     options.most_iterations = 1000;
     options.longest_move = 0.5 * ground.mean_spacing();
     options.least_gain = least_gain;
-    options.keep_going = [&](double energy) {
+    options.keep_going = [&](double energy, std::span<const Vec3>) {
       energies.push_back(energy);
       return true;
     };
@@ -273,7 +273,7 @@ TEST(SiteDescent, EndsWhenAsked) {
   options.is_fixed = ground.is_fixed;
   options.most_iterations = 30;
   options.longest_move = 1;
-  options.keep_going = [&](double) { return ++calls < 3; };
+  options.keep_going = [&](double, std::span<const Vec3>) { return ++calls < 3; };
   const double energy = descend(ground.mesh, *ground.engine, ground.sites, options);
   EXPECT_EQ(calls, 3);
   EXPECT_EQ(energy, ground.energy_of(ground.sites));

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "geolloyd/errors.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/cli/number_option.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -28,16 +29,18 @@ struct QualityArguments {
 
 void run_quality(const QualityArguments& a) {
   const QualityInput& input = a.input;
-  if (input.original.empty() && !input.field.vfield.empty()) {
+  if (input.original.empty() && !input.vfield.empty()) {
     throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
   }
-  check_has_magnitudes(input.field);
+  const FieldArguments field{input.vfield};
+  check_has_magnitudes(field);
   if (!a.output.empty()) {
-    check_target(a.output, std::array{input.remesh, input.original, input.field.field_file()});
+    check_target(a.output, std::array{input.remesh, input.original, field.field_file()});
   }
   Scheduler scheduler = make_scheduler(a.threads);
+  SchedulerRuntime runtime(scheduler);
   ProgressLine progress;
-  const QualityRecord record = judge(input, scheduler, progress);
+  const QualityRecord record = judge(input, runtime, progress);
   if (!a.output.empty()) write_text_file(a.output, quality_report(record));
   if (wants_json()) print_json(quality_report(record));
   fmt::print("{}", quality_text(record));
@@ -59,7 +62,7 @@ void add_quality_command(CLI::App& program) {
                1, 1'000'000'000)
       ->capture_default_str();
   command
-      ->add_option("--vfield", input.field.vfield,
+      ->add_option("--vfield", input.vfield,
                    "Judge triangles, edges and energy in a metric of the original, too:\n"
                    "that of a file as of relax, or of its curvature")
       ->type_name("FILE|curvature");

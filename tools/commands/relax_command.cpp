@@ -20,7 +20,7 @@
 #include "tools/report/report.h"
 #include "tools/report/report_parts.h"
 #include "tools/report/vtp_output.h"
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/run/result.h"
 #include "tools/run/resumable.h"
 #include "tools/run/stages.h"

@@ -4,13 +4,12 @@
 
 #include "core/library/tessellated_graph.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
 #include "tools/evaluation/closest_places.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/evaluation/surface_distance.h"
-#include "tools/evaluation/vertex_search.h"
+#include "tools/evaluation/tolerance_search.h"
 
 namespace geolloyd {
 
@@ -55,20 +54,10 @@ ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions 
   if (options.vertex_count > 0 || options.edge_length > 0) {
     throw InvalidInput("tolerance: give no number of vertices and no edge length beside it");
   }
-  Executor& executor = runtime.executor();
-  const double diagonal = check_mesh(mesh, find_edges(mesh, executor), executor).bounding_diagonal;
-  VertexSearch search(tolerance, most_vertices_to_try(mesh));
-  Remesh best;
-  while (const auto vertices = search.next()) {
-    options.vertex_count = *vertices;
-    Remesh made = remesh(mesh, options, runtime);
-    const bool is_interrupted = made.interrupted;
-    if (search.add(measure_trial(mesh, diagonal, made.mesh, executor))) best = std::move(made);
-    if (!is_interrupted) continue;
-    best.interrupted = true;
-    break;
-  }
-  return {std::move(best), search.trials()};
+  options.field = checked_field(options.field, mesh.vertex_count());
+  const MeshEdges edges = find_edges(mesh, runtime.executor());
+  ToleranceSearch found = search_within(tolerance, {mesh, edges, std::move(options), runtime});
+  return {std::move(found.best.remesh), std::move(found.trials)};
 }
 
 }  // namespace geolloyd

@@ -5,7 +5,7 @@
 
 #include "core/base/executor.h"
 #include "core/base/loops.h"
-#include "tools/evaluation/hexagonal_energy.h"
+#include "core/base/hexagonal_energy.h"
 #include "tools/evaluation/point_queries.h"
 
 namespace geolloyd {

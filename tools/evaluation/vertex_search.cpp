@@ -7,7 +7,6 @@
 #include <string>
 
 #include "geolloyd/errors.h"
-#include "tools/evaluation/surface_distance.h"
 
 namespace geolloyd {
 namespace {
@@ -61,18 +60,6 @@ bool VertexSearch::add(const ToleranceTrial& trial) {
   const bool is_best = is_within || enough_ == 0;
   (is_within ? enough_ : too_few_) = tried_;
   return is_best;
-}
-
-std::size_t most_vertices_to_try(const Mesh& mesh) {
-  return std::max<std::size_t>(100'000, 4 * mesh.vertex_count());
-}
-
-ToleranceTrial measure_trial(const Mesh& mesh, double diagonal, const Mesh& remesh,
-                             Executor& executor) {
-  constexpr std::size_t samples = 200'000;
-  const std::size_t vertices = remesh.vertex_count();
-  if (remesh.triangles.empty()) return {vertices, diagonal};
-  return {vertices, measure_distance(executor, mesh, remesh, samples).two_sided().largest};
 }
 
 }  // namespace geolloyd

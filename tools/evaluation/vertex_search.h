@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/executor.h"
-#include "core/mesh/mesh.h"
 #include "geolloyd/evaluation.h"
 
 namespace geolloyd {
@@ -35,13 +33,5 @@ class VertexSearch {
   std::size_t tried_ = 0;   // the last one
   std::vector<ToleranceTrial> trials_;
 };
-
-/// How many vertices a search for a remesh of this mesh may try.
-std::size_t most_vertices_to_try(const Mesh& mesh);
-
-/// The remesh's vertices, and the largest distance of both ways. A remesh without triangles is as
-/// far as the mesh is large: `diagonal` of its bounding box.
-ToleranceTrial measure_trial(const Mesh& mesh, double diagonal, const Mesh& remesh,
-                             Executor& executor);
 
 }  // namespace geolloyd

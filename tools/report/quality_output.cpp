@@ -13,11 +13,6 @@
 namespace geolloyd {
 namespace {
 
-// Of the original's bounding-box diagonal.
-double percent(const Likeness& likeness, double distance) {
-  return 100 * distance / likeness.original.input.facts.bounding_diagonal;
-}
-
 std::int64_t difference(std::size_t a, std::size_t b) {
   return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
 }
@@ -26,13 +21,14 @@ std::string share_text(double share) {
   return std::isnan(share) ? "none" : fmt::format("{:.2f} %", 100 * share);
 }
 
-std::string distance_table(const Likeness& likeness) {
+// Percent are of `diagonal`.
+std::string distance_table(const Likeness& likeness, double diagonal) {
   TextTable table({"distance", "mean", "%", "RMS", "%", "Hausdorff", "%"}, 1);
   const auto add = [&](const char* name, const DistanceFigures& figures) {
     std::vector<std::string> row = {name};
     for (const double distance : {figures.mean, figures.rms, figures.largest}) {
       row.push_back(fmt::format("{:.4g}", distance));
-      row.push_back(fmt::format("{:.4g}", percent(likeness, distance)));
+      row.push_back(fmt::format("{:.4g}", 100 * distance / diagonal));
     }
     table.add(std::move(row));
   };
@@ -48,8 +44,8 @@ std::string describe_file(const JudgedMesh& mesh) {
                      describe(mesh.topology));
 }
 
-std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
-  const JudgedMesh& original = likeness.original;
+std::string describe(const Likeness& likeness, const JudgedMesh& remesh,
+                     const JudgedMesh& original) {
   return fmt::format(
       "\n{}"
       "  {:<12}Euler characteristic {:+}, components {:+}, boundary loops {:+} in the remesh\n"
@@ -61,7 +57,8 @@ std::string describe(const Likeness& likeness, const JudgedMesh& remesh) {
       remesh.input.facts.euler_characteristic - original.input.facts.euler_characteristic,
       difference(remesh.input.facts.components, original.input.facts.components),
       difference(remesh.topology.total().boundary_loops, original.topology.total().boundary_loops),
-      "energy", likeness.energy / likeness.hexagonal, distance_table(likeness),
+      "energy", likeness.energy / likeness.hexagonal,
+      distance_table(likeness, original.input.facts.bounding_diagonal),
       grouped(likeness.samples));
 }
 
@@ -86,9 +83,9 @@ Json metric_part(const MetricQuality& judged) {
           {"energy_ratio_hexagonal", judged.energy_ratio}};
 }
 
-Json likeness_part(const Likeness& likeness) {
+Json likeness_part(const Likeness& likeness, double diagonal) {
   const auto part = [&](const DistanceFigures& figures) {
-    return distance_part(figures, likeness.original.input.facts.bounding_diagonal);
+    return distance_part(figures, diagonal);
   };
   return {{"samples", likeness.samples},
           {"remesh_to_original", part(likeness.distance.from_first)},
@@ -141,7 +138,7 @@ std::string quality_text(const QualityRecord& record) {
   const JudgedMesh& remesh = record.remesh;
   std::string text = describe_file(remesh) + describe(record.quality);
   if (record.in_metric) text += describe(*record.in_metric);
-  if (record.likeness) text += describe(*record.likeness, remesh);
+  if (record.likeness) text += describe(*record.likeness, remesh, *record.original);
   return text;
 }
 
@@ -154,10 +151,10 @@ std::string quality_report(const QualityRecord& record) {
   report["quality"] = quality_part(record.quality);
   if (record.in_metric) report["in_metric"] = metric_part(*record.in_metric);
   if (record.likeness) {
-    const JudgedMesh& original = record.likeness->original;
+    const JudgedMesh& original = *record.original;
     report["original"] = mesh_part(original.input);
     report["original_topology"] = topology_part(original.topology);
-    report["likeness"] = likeness_part(*record.likeness);
+    report["likeness"] = likeness_part(*record.likeness, original.input.facts.bounding_diagonal);
   }
   return json_text(report);
 }

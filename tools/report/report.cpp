@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/evaluation/hexagonal_energy.h"
+#include "core/base/hexagonal_energy.h"
 #include "tools/report/dual_output.h"
 #include "tools/report/ground_truth_output.h"
 #include "tools/report/report_parts.h"

@@ -4,13 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/loops.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/hexagonal_energy.h"
-#include "tools/evaluation/point_queries.h"
-#include "tools/evaluation/site_energy.h"
 #include "tools/run/stages.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
@@ -18,10 +14,10 @@
 namespace geolloyd {
 namespace {
 
-MeshEdges load(const std::filesystem::path& file, JudgedMesh& mesh, Scheduler& scheduler,
+MeshEdges load(const std::filesystem::path& file, JudgedMesh& mesh, Executor& executor,
                ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, scheduler);
+  LoadedInput loaded = load_input(file, executor);
   mesh.input = std::move(loaded.input);
   mesh.topology = find_topology(mesh.input.mesh(), loaded.edges);
   return std::move(loaded.edges);
@@ -33,54 +29,36 @@ void require_area(const JudgedMesh& mesh) {
                      ": no triangle with an area, so no distance to measure");
 }
 
-// Of the points of the surface closest to the remesh's vertices, and of the hexagonal tiling with
-// as many regions.
-void measure_energy(const Mesh& remesh, const MeshEdges& edges, Scheduler& scheduler,
-                    Likeness& likeness) {
-  const Mesh& mesh = likeness.original.input.mesh();
-  std::vector<Vec3> sites = referenced_positions(remesh, scheduler);
-  const ClosestPoint closest(mesh, scheduler.threads());
-  parallel_for(scheduler, sites.size(), 256,
-               [&](std::size_t r) { sites[r] = closest.find(sites[r]).position; });
-  const double area = likeness.original.input.facts.area;
-  likeness.energy = site_energy(mesh, edges.duplicates, sites, scheduler);
-  likeness.hexagonal = hexagonal_energy(area, area, sites.size());
-}
-
 void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRecord& record,
-             Scheduler& scheduler, ProgressLine& progress) {
-  const JudgedMesh& remesh = record.remesh;
-  Likeness& likeness = record.likeness.emplace();
-  const MeshEdges edges = load(input.original, likeness.original, scheduler, progress);
-  announce_memory(
-      input.original.string(),
-      memory_to_judge(remesh.input.facts.triangles, likeness.original.input.facts.triangles));
-  require_area(remesh);
-  require_area(likeness.original);
-  progress.stage("measuring distances");
-  likeness.samples = input.samples;
-  likeness.distance = measure_distance(scheduler, remesh.input.mesh(),
-                                       likeness.original.input.mesh(), input.samples);
-  progress.stage("measuring energy");
-  measure_energy(remesh.input.mesh(), edges, scheduler, likeness);
-  const Mesh& original = likeness.original.input.mesh();
-  const std::vector<TangentSpace> field = find_field(input.field, original, edges, scheduler);
+             Runtime& runtime, ProgressLine& progress) {
+  Executor& executor = runtime.executor();
+  JudgedMesh& original = record.original.emplace();
+  const MeshEdges edges = load(input.original, original, executor, progress);
+  announce_memory(input.original.string(), memory_to_judge(record.remesh.input.facts.triangles,
+                                                           original.input.facts.triangles));
+  require_area(record.remesh);
+  require_area(original);
+  progress.stage("measuring distances and energy");
+  const Mesh& remesh = record.remesh.input.mesh();
+  const Mesh& mesh = original.input.mesh();
+  record.likeness = compare(remesh, mesh, edges.duplicates, original.input.facts.area,
+                            input.samples, executor);
+  const std::vector<TangentSpace> field = find_field({input.vfield}, mesh, edges, executor);
   if (field.empty()) return;
   progress.stage("measuring in the metric");
-  record.in_metric =
-      judge_in_metric(remesh.input.mesh(), remesh_edges, original, edges, field, scheduler);
+  record.in_metric = judge_in_metric(remesh, remesh_edges, mesh, edges, field, runtime);
 }
 
 }  // namespace
 
-QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLine& progress) {
+QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& progress) {
   QualityRecord record;
-  const MeshEdges edges = load(input.remesh, record.remesh, scheduler, progress);
+  const MeshEdges edges = load(input.remesh, record.remesh, runtime.executor(), progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
     announce_memory(input.remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
   } else {
-    compare(input, edges, record, scheduler, progress);
+    compare(input, edges, record, runtime, progress);
   }
   progress.clear();
   return record;

@@ -6,11 +6,10 @@
 
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
-#include "parallel/threads/scheduler.h"
-#include "tools/cli/relax_arguments.h"
-#include "tools/evaluation/surface_distance.h"
+#include "geolloyd/runtime.h"
+#include "tools/evaluation/likeness.h"
+#include "tools/evaluation/metric_quality.h"
 #include "tools/run/input.h"
-#include "tools/run/metric_quality.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
@@ -21,33 +20,24 @@ struct JudgedMesh {
   MeshTopology topology;
 };
 
-/// A remesh beside the mesh that it stands for.
-struct Likeness {
-  JudgedMesh original;
-  std::size_t samples = 0;   ///< on each of the two
-  SurfaceDistance distance;  ///< first the remesh, second the original
-  double energy = 0;         ///< of sites at the original's points closest to the remesh's vertices
-                             ///< (site_energy.h)
-  double hexagonal = 0;      ///< that of the hexagonal tiling with as many regions
-};
-
-/// All there is to tell of one run of `quality`.
+/// All there is to tell of one run of `quality`; empty without an original, or without a field.
 struct QualityRecord {
   JudgedMesh remesh;
   MeshQuality quality;
-  std::optional<MetricQuality> in_metric;
+  std::optional<JudgedMesh> original;
   std::optional<Likeness> likeness;
+  std::optional<MetricQuality> in_metric;
 };
 
 /// What is judged, and by what.
 struct QualityInput {
   std::filesystem::path remesh;
   std::filesystem::path original;  ///< empty: the remesh is judged alone
-  FieldArguments field;            ///< of the original
+  std::filesystem::path vfield;    ///< of the original, as --vfield has it; empty: none
   std::size_t samples = 0;         ///< on each of the two
 };
 
 /// Throws Error.
-QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLine& progress);
+QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& progress);
 
 }  // namespace geolloyd

@@ -23,7 +23,7 @@
 #include "parallel/surface/parallel_surface_engine.h"
 #include "tools/evaluation/surface_distance.h"
 #include "tools/render/picture.h"
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_estimate.h"
 

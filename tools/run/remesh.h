@@ -12,7 +12,7 @@
 #include "geolloyd/remesh.h"
 #include "parallel/threads/scheduler.h"
 #include "tools/cli/remesh_arguments.h"
-#include "tools/run/edge_lengths.h"
+#include "tools/evaluation/edge_lengths.h"
 #include "tools/run/input.h"
 #include "tools/system/progress.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/run/stages.h"
 
 namespace geolloyd {

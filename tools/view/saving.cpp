@@ -10,7 +10,7 @@
 #include "tools/files/output_folder.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/report.h"
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/run/dual.h"
 #include "tools/run/result.h"
 #include "tools/system/machine.h"

@@ -49,6 +49,8 @@ struct RemeshProgress {
   std::size_t wanted_sites = 0;  ///< of the last level
   std::size_t iteration = 0;     ///< within the level
   double energy_ratio = 0;       ///< over that of the hexagonal tiling of the plane with as many
+  /// Where a site of this level is, mesh units. Not to be called later.
+  std::function<Vec3(std::size_t site)> place;
 };
 
 /// Edges of a mesh at which its surface turns.

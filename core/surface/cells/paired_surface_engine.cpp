@@ -96,12 +96,4 @@ void PairedSurfaceEngine::compare_moments(const Cells& expected, const Cells& te
   }
 }
 
-MakeSurfaceEngine make_paired_surface_engines(MakeSurfaceEngine expected, MakeSurfaceEngine tested,
-                                              SurfaceComparison& comparison) {
-  return [expected = std::move(expected), tested = std::move(tested),
-          &comparison](const FineMesh& mesh) -> std::unique_ptr<SurfaceEngine> {
-    return std::make_unique<PairedSurfaceEngine>(expected(mesh), tested(mesh), comparison);
-  };
-}
-
 }  // namespace geolloyd

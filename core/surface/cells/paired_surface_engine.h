@@ -47,8 +47,4 @@ class PairedSurfaceEngine final : public SurfaceEngine {
   std::size_t mesh_;  // its number, from 1
 };
 
-/// Makes pairs, with one engine by each. `comparison` must live on.
-MakeSurfaceEngine make_paired_surface_engines(MakeSurfaceEngine expected, MakeSurfaceEngine tested,
-                                              SurfaceComparison& comparison);
-
 }  // namespace geolloyd

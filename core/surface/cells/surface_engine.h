@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,8 +32,5 @@ class SurfaceEngine {
   [[nodiscard]] virtual const std::vector<RegionId>& labels() const = 0;
   [[nodiscard]] virtual const Cells& cells() const = 0;
 };
-
-/// An engine that works on `mesh`, which it refers to.
-using MakeSurfaceEngine = std::function<std::unique_ptr<SurfaceEngine>(const FineMesh& mesh)>;
 
 }  // namespace geolloyd

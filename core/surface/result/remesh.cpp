@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/hexagonal_energy.h"
 #include "core/base/random.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
@@ -22,6 +23,7 @@
 #include "core/surface/sites/site_levels.h"
 #include "core/surface/sizing/curvature.h"
 #include "core/surface/sizing/field_metric.h"
+#include "core/surface/sizing/recipe.h"
 #include "core/surface/sizing/sizing.h"
 #include "core/surface/substrate/surface_input.h"
 #include "geolloyd/errors.h"
@@ -63,15 +65,14 @@ struct SizedSurface {
 class Remesher {
  public:
   Remesher(const Mesh& mesh, const SizedSurface& surface, const RemeshOptions& options,
-           const MakeSurfaceEngine& make_engine, Executor& executor)
+           Runtime& runtime)
       : mesh_(mesh),
         input_(surface.input),
         sizing_(surface.sizing),
         shape_(surface.shape),
         options_(options),
-        relaxer_(make_engine, options, input_.fine.whole_sized_area, 1 / input_.frame.scale,
-                 executor),
-        executor_(executor) {}
+        relaxer_(input_, options, runtime),
+        executor_(runtime.executor()) {}
 
   // Where there is no room for all sub-resolution holes among triangles of an ordinary size, they
   // get vertices.
@@ -141,9 +142,9 @@ class Remesher {
       energy += energies.at(r, input_.frame.to_unit(result.mesh.positions[r]));
     }
     const double square = 1 / (input_.frame.scale * input_.frame.scale);
+    const double area = input_.fine.whole_sized_area * square;
     result.energy = energy * square * square;
-    result.energy_of_hexagonal_tiling = energy_of_hexagonal_tiling(
-        input_.fine.whole_sized_area * square, result.mesh.vertex_count());
+    result.energy_of_hexagonal_tiling = hexagonal_energy(area, area, result.mesh.vertex_count());
   }
 
   void find_edge_lengths(Remesh& result) const {
@@ -186,7 +187,6 @@ class Remesher {
 // Makes the surface on which sites move, and finds out how far apart they are to be.
 class SurfaceSizer {
  public:
-  /// `release_edges` is called when only the duplicates are needed any more.
   SurfaceSizer(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
                const std::function<void()>& release_edges, Executor& executor)
       : mesh_(mesh),
@@ -201,9 +201,9 @@ class SurfaceSizer {
   SizedSurface run() {
     shape_ = shapes_of(options_.field);
     Sizing sizing = find_sizing(mesh_, edges_, options_, executor_);
-    const std::size_t count = about_how_many(sizing.spacing);
+    const std::size_t count = count_at(sizing.spacing);
     features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
-    if (!(options_.sizing.adapt > 0)) release_edges_();
+    if (!(options_.sizing.adapt > 0)) release_edges();
     SurfaceInput input = make_input(sizing, count);
     if (options_.sizing.adapt > 0) {
       const double spacing = sizing.spacing * input.frame.scale;
@@ -211,36 +211,29 @@ class SurfaceSizer {
           relative_curvatures(mesh_, input, spacing, executor_), options_.sizing.adapt);
       input = {};
       sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
-      release_edges_();
-      input = make_input(sizing, about_how_many(sizing.spacing));
+      release_edges();
+      input = make_input(sizing, count_at(sizing.spacing));
     }
     return {std::move(input), std::move(sizing), std::move(shape_)};
   }
 
  private:
-  // But for what boundary and features change.
-  [[nodiscard]] std::size_t about_how_many(double spacing) const {
-    if (options_.vertex_count > 0) return options_.vertex_count;
-    constexpr double most = 1e9;
-    const double count = sites_at(area_, spacing);
-    if (!(count < most)) {
-      throw InvalidInput("edge length " + std::to_string(spacing) +
-                         ": so short that the remesh would have more than 1,000,000,000 vertices");
-    }
-    return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+  void release_edges() const {
+    if (release_edges_) release_edges_();
   }
 
-  // Edges are short enough that each cell has vertices: 0.6 times the root of a cell's area; with
-  // features 0.42 spacings, so that cells follow them. The limit of vertices is for needles.
+  [[nodiscard]] std::size_t count_at(double spacing) const {
+    return options_.vertex_count > 0 ? options_.vertex_count : expected_sites(area_, spacing);
+  }
+
   [[nodiscard]] SurfaceInput make_input(const Sizing& sizing, std::size_t count) const {
-    const auto sites = static_cast<double>(count);
     SurfaceInputOptions input;
     input.duplicates = edges_.duplicates;
     input.longest_edge =
-        features_.empty() ? 0.6 * std::sqrt(area_ / sites) : 0.42 * spacing_of(area_, sites);
+        features_.empty() ? longest_edge(area_, count) : longest_edge_at_features(area_, count);
     input.sizes = sizing.sizes;
     input.metric = shape_;
-    input.vertex_limit = 1'000'000 + 20 * count + 4 * mesh_.vertex_count();
+    input.vertex_limit = vertex_limit_of_remesh(mesh_, count);
     input.features = features_;
     input.fixed_vertices = options_.features.fixed_vertices;
     return make_surface_input(mesh_, input, executor_);
@@ -279,14 +272,6 @@ void check_options(const Mesh& mesh, const RemeshOptions& options) {
   }
 }
 
-Remesh remesh_with(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
-                   const std::function<void()>& release_edges, const MakeSurfaceEngine& make_engine,
-                   Executor& executor) {
-  check_options(mesh, options);
-  const SizedSurface surface = SurfaceSizer(mesh, edges, options, release_edges, executor).run();
-  return Remesher(mesh, surface, options, make_engine, executor).run();
-}
-
 }  // namespace
 
 double Remesh::feature_length() const {
@@ -304,15 +289,11 @@ bool Remesh::has_input_topology() const {
 }
 
 Remesh make_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
-                   const MakeSurfaceEngine& make_engine, Executor& executor) {
-  return remesh_with(
-      mesh, edges, options, [] {}, make_engine, executor);
-}
-
-Remesh make_remesh(const Mesh& mesh, MeshEdges&& edges, const RemeshOptions& options,
-                   const MakeSurfaceEngine& make_engine, Executor& executor) {
-  const auto release = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
-  return remesh_with(mesh, edges, options, release, make_engine, executor);
+                   Runtime& runtime, const std::function<void()>& release_edges) {
+  check_options(mesh, options);
+  const SizedSurface surface =
+      SurfaceSizer(mesh, edges, options, release_edges, runtime.executor()).run();
+  return Remesher(mesh, surface, options, runtime).run();
 }
 
 }  // namespace geolloyd

@@ -1,19 +1,17 @@
 #pragma once
 
-#include "core/base/executor.h"
+#include <functional>
+
 #include "core/mesh/mesh_edges.h"
-#include "core/surface/cells/surface_engine.h"
 #include "geolloyd/remesh.h"
+#include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
-/// `edges` are the mesh's, which is valid.
+/// `edges` are the mesh's, which is valid. Before the surface is made on which sites move,
+/// `release_edges` is called, if there is one: of the edges only the duplicates are needed from
+/// then on.
 Remesh make_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
-                   const MakeSurfaceEngine& make_engine, Executor& executor = sequential());
-
-/// The same. The edges give their memory back, all but that of the duplicates, before the surface
-/// on which sites move is made.
-Remesh make_remesh(const Mesh& mesh, MeshEdges&& edges, const RemeshOptions& options,
-                   const MakeSurfaceEngine& make_engine, Executor& executor = sequential());
+                   Runtime& runtime, const std::function<void()>& release_edges = {});
 
 }  // namespace geolloyd

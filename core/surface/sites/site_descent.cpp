@@ -65,7 +65,7 @@ class Descent {
       if (!step_from(now, next)) break;
       remember(now, next);
       now = std::move(next);
-      if (options_.keep_going && !options_.keep_going(now.energy)) break;
+      if (options_.keep_going && !options_.keep_going(now.energy, now.sites)) break;
     }
     sites = std::move(now.sites);
     return now.energy;

@@ -16,8 +16,8 @@ struct DescentOptions {
   double longest_move = 0;  ///< of a site in one step, unit frame, where the inverse sizing is 1
   std::span<const double> inverse_sizing;  ///< per site; empty: 1
   double least_gain = 0;  ///< ends where ten iterations lower the energy by a smaller share
-  /// Told the energy after each iteration; false ends the descent.
-  std::function<bool(double energy)> keep_going;
+  /// Told the energy and the sites after each iteration; false ends the descent.
+  std::function<bool(double energy, std::span<const Vec3> sites)> keep_going;
 };
 
 /// Moves `sites` downhill in energy: the sum over cells of the integral of |x - site|^2, whose

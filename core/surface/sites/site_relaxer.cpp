@@ -4,24 +4,20 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/hexagonal_energy.h"
 #include "core/base/random.h"
 #include "core/surface/cells/cell_labels.h"
 #include "core/surface/sites/site_descent.h"
 
 namespace geolloyd {
 
-SiteRelaxer::SiteRelaxer(const MakeSurfaceEngine& make_engine, const RemeshOptions& options,
-                         double sized_area, double to_mesh_units, Executor& executor)
-    : make_engine_(make_engine),
-      options_(options),
-      sized_area_(sized_area),
-      to_mesh_units_(to_mesh_units),
-      executor_(executor) {}
+SiteRelaxer::SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime)
+    : input_(input), options_(options), runtime_(runtime) {}
 
 SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
   if (mesh_ != level.mesh) {
     engine_.reset();
-    engine_ = make_engine_(*level.mesh);
+    engine_ = runtime_.make_surface_engine(*level.mesh);
     mesh_ = level.mesh;
   }
   return *engine_;
@@ -29,7 +25,8 @@ SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
 
 void SiteRelaxer::sweep(const LevelMesh& level, LabelledSites& state) {
   SurfaceEngine& engine = engine_for(level);
-  keep_one_component(*level.mesh, state.sites.size(), level.is_on_curve, state.labels, executor_);
+  keep_one_component(*level.mesh, state.sites.size(), level.is_on_curve, state.labels,
+                     runtime_.executor());
   engine.assign(std::move(state.labels), level.is_on_curve);
   engine.evaluate(state.sites.positions);
   state.labels = engine.labels();
@@ -46,24 +43,31 @@ double SiteRelaxer::relax(const LevelMesh& level, LabelledSites& state, std::siz
   DescentOptions options;
   options.is_fixed = state.sites.is_fixed;
   options.most_iterations = is_interrupted_ ? 0 : iterations;
-  options.longest_move = 0.5 * std::sqrt(sized_area_ / static_cast<double>(count));
+  options.longest_move = 0.5 * std::sqrt(input_.fine.whole_sized_area / static_cast<double>(count));
   options.inverse_sizing = inverse_sizing;
   options.least_gain = 1e-5;
-  options.keep_going = [&](double energy) { return record(level, count, ++iteration, energy); };
-  const double energy = descend(*level.mesh, engine, state.sites.positions, options, executor_);
+  options.keep_going = [&](double reached, std::span<const Vec3> sites) {
+    return record(level, ++iteration, reached, sites);
+  };
+  const double energy =
+      descend(*level.mesh, engine, state.sites.positions, options, runtime_.executor());
   state.labels = engine.labels();
   add_to_fingerprint(state);
   return energy;
 }
 
-bool SiteRelaxer::record(const LevelMesh& level, std::size_t sites, std::size_t iteration,
-                         double energy) {
+bool SiteRelaxer::record(const LevelMesh& level, std::size_t iteration, double energy,
+                         std::span<const Vec3> sites) {
   fingerprint_ = mix_bits(fingerprint_ ^ std::bit_cast<std::uint64_t>(energy));
-  const double square = to_mesh_units_ * to_mesh_units_;
-  steps_.push_back({sites, level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
+  const double unit = 1 / input_.frame.scale;
+  const double square = unit * unit;
+  steps_.push_back(
+      {sites.size(), level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
   if (options_.progress) {
-    const double ratio = energy / energy_of_hexagonal_tiling(sized_area_, sites);
-    is_interrupted_ = !options_.progress({sites, wanted_sites_, iteration, ratio});
+    const double area = input_.fine.whole_sized_area;
+    const double ratio = energy / hexagonal_energy(area, area, sites.size());
+    const auto place = [&](std::size_t site) { return input_.frame.to_mesh(sites[site]); };
+    is_interrupted_ = !options_.progress({sites.size(), wanted_sites_, iteration, ratio, place});
   }
   return !is_interrupted_;
 }

@@ -5,12 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/executor.h"
 #include "core/base/stopwatch.h"
 #include "core/surface/cells/surface_engine.h"
 #include "core/surface/sites/level_mesh.h"
 #include "core/surface/sites/surface_sites.h"
+#include "core/surface/substrate/surface_input.h"
 #include "geolloyd/remesh.h"
+#include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
@@ -23,9 +24,8 @@ struct LabelledSites {
 /// Moves sites on one mesh after the other, and keeps the record of it.
 class SiteRelaxer {
  public:
-  /// `sized_area` is that of the fine mesh, `to_mesh_units` the length of 1 of the unit frame.
-  SiteRelaxer(const MakeSurfaceEngine& make_engine, const RemeshOptions& options, double sized_area,
-              double to_mesh_units, Executor& executor);
+  /// Of sites on this surface. All must live on.
+  SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime);
 
   /// What progress is told.
   void set_wanted_sites(std::size_t count) { wanted_sites_ = count; }
@@ -47,14 +47,13 @@ class SiteRelaxer {
 
  private:
   SurfaceEngine& engine_for(const LevelMesh& level);
-  bool record(const LevelMesh& level, std::size_t sites, std::size_t iteration, double energy);
+  bool record(const LevelMesh& level, std::size_t iteration, double energy,
+              std::span<const Vec3> sites);
   void add_to_fingerprint(const LabelledSites& state);
 
-  const MakeSurfaceEngine& make_engine_;
+  const SurfaceInput& input_;
   const RemeshOptions& options_;
-  double sized_area_;
-  double to_mesh_units_;
-  Executor& executor_;
+  Runtime& runtime_;
   const FineMesh* mesh_ = nullptr;
   std::unique_ptr<SurfaceEngine> engine_;  // on it
   Stopwatch watch_;
@@ -63,12 +62,5 @@ class SiteRelaxer {
   bool is_interrupted_ = false;
   std::size_t wanted_sites_ = 0;
 };
-
-/// Energy of a hexagonal tiling of the plane with as much area and as many cells: that of a regular
-/// hexagon of area 1 is 5 / (18 sqrt 3). Where sizes vary, of the sized area: a cell of inverse
-/// sizing r has r^-2 of an even cell's area, and r^4 of its density.
-constexpr double energy_of_hexagonal_tiling(double area, std::size_t cells) {
-  return 0.16037507477489604 * area * area / static_cast<double>(cells);
-}
 
 }  // namespace geolloyd

@@ -12,12 +12,13 @@
 namespace geolloyd {
 namespace {
 
-constexpr double most_stretch = 100 * (1 + 1e-9);  // but for rounding
+// What cells can follow. Curvature fields have less (core/mesh/curvature_field.h).
+constexpr double widest_stretch = 100 * (1 + 1e-9);  // but for rounding
 
 bool has_stretch(const TangentSpace& space) {
   const double k1 = space.tangent_magnitude;
   const double k2 = space.bitangent_magnitude;
-  return k1 > 0 && k2 > 0 && k1 <= most_stretch * k2 && k2 <= most_stretch * k1;
+  return k1 > 0 && k2 > 0 && k1 <= widest_stretch * k2 && k2 <= widest_stretch * k1;
 }
 
 // With its principal directions, where there is a plane for them.

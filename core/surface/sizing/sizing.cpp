@@ -137,6 +137,16 @@ double sites_at(double area, double spacing) {
   return 2 * area / (root_3 * spacing * spacing);
 }
 
+std::size_t expected_sites(double area, double spacing) {
+  constexpr double most = 1e9;
+  const double count = sites_at(area, spacing);
+  if (count < most) return std::max<std::size_t>(4, static_cast<std::size_t>(count));
+  std::ostringstream message;
+  message << "edge length " << spacing << ": the remesh would have more than 1,000,000,000 "
+          << "vertices, because the mesh has an area of " << area;
+  throw InvalidInput(message.str());
+}
+
 std::vector<double> wanted_lengths(const Mesh& mesh, const SizingOptions& options) {
   const int given = (options.edge_lengths.empty() ? 0 : 1) + (options.densities.empty() ? 0 : 1) +
                     (options.adapt == 0 ? 0 : 1);

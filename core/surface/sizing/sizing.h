@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Sizing {
 double spacing_of(double area, double sites);
 /// How many sites so far apart cover it.
 double sites_at(double area, double spacing);
+/// About as many vertices a remesh has whose sites are so far apart, but for what boundary and
+/// features change: at least 4. Throws InvalidInput where they are more than 1e9.
+std::size_t expected_sites(double area, double spacing);
 
 /// What options say, but for the curvature: lengths per vertex, or none. Throws InvalidInput where
 /// they do not fit the mesh, are not usable numbers above 0, or are given twice.

@@ -1,4 +1,4 @@
-#include "tools/run/edge_lengths.h"
+#include "tools/evaluation/edge_lengths.h"
 
 #include <algorithm>
 #include <cmath>

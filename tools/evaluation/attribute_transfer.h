@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "core/base/executor.h"
 #include "core/graph/mesh_graph.h"
 #include "core/regions/graph_dual.h"
@@ -23,11 +19,5 @@ Properties transfer_properties(const Mesh& mesh, const Properties& properties, c
 Properties transfer_properties(const Mesh& mesh, const Properties& properties,
                                const MeshGraph& mesh_graph, const GraphDual& remesh,
                                Executor& executor);
-
-/// Per triangle the value of a property of integers: of triangles or, if there is none, of
-/// vertices, the majority at its corners, the smallest where they all differ. Throws InvalidInput
-/// where the mesh has no such property.
-std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& properties,
-                                        const std::string& name);
 
 }  // namespace geolloyd

@@ -1,6 +1,5 @@
-#include "tools/run/attribute_transfer.h"
+#include "tools/evaluation/attribute_transfer.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -10,8 +9,6 @@
 #include "core/mesh/closest_on_triangle.h"
 #include "core/mesh/properties.h"
 #include "core/mesh/property_mixture.h"
-#include "core/text/text_cursor.h"
-#include "geolloyd/errors.h"
 #include "tools/evaluation/point_queries.h"
 
 namespace geolloyd {
@@ -111,44 +108,6 @@ Properties transfer_properties(const Mesh& mesh, const Properties& properties,
     return is_at_seed(v) ? mixture_of_seed(mesh, mesh_graph, remesh.seeds[v])
                          : carrier.closest_to(remesh.mesh.positions[v]);
   });
-}
-
-std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& properties,
-                                        const std::string& name) {
-  const Property* of_triangles = find_property(properties.of_triangles, name);
-  const Property* of_vertices = find_property(properties.of_vertices, name);
-  const Property* labels = of_triangles != nullptr ? of_triangles : of_vertices;
-  const std::string option = "--feature-labels " + in_quotes(name) + ": ";
-  if (labels == nullptr) {
-    const auto names = [](const std::vector<Property>& all) {
-      return all.empty() ? std::string("none") : list_names(all);
-    };
-    throw InvalidInput(option + "the mesh has no such property; its vertices have " +
-                       names(properties.of_vertices) + ", its triangles " +
-                       names(properties.of_triangles));
-  }
-  if (!has_integers(*labels)) {
-    throw InvalidInput(option + "its type is " + type_name(labels->values) +
-                       ", and labels are integers");
-  }
-  if (!is_label(*labels)) throw InvalidInput(option + "it is a part of a colour, and no label");
-  const auto value = [&](std::size_t i) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value_at(*labels, i)));
-  };
-  std::vector<std::uint32_t> groups(mesh.triangle_count());
-  for (std::size_t t = 0; t < groups.size(); ++t) {
-    if (of_triangles != nullptr) {
-      groups[t] = value(t);
-      continue;
-    }
-    std::array<std::int64_t, 3> corner{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      corner[c] = static_cast<std::int64_t>(value_at(*labels, mesh.triangles[t][c]));
-    }
-    std::sort(corner.begin(), corner.end());
-    groups[t] = static_cast<std::uint32_t>(corner[1] == corner[2] ? corner[1] : corner[0]);
-  }
-  return groups;
 }
 
 }  // namespace geolloyd

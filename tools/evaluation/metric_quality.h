@@ -6,9 +6,8 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
 #include "geolloyd/choices.h"
-#include "geolloyd/remesh.h"
-#include "parallel/threads/scheduler.h"
-#include "tools/run/edge_lengths.h"
+#include "geolloyd/runtime.h"
+#include "tools/evaluation/edge_lengths.h"
 
 namespace geolloyd {
 
@@ -23,6 +22,6 @@ struct MetricQuality {
 /// `original_edges` are those of the original. The remesh has an edge.
 MetricQuality judge_in_metric(const Mesh& remesh, const MeshEdges& edges, const Mesh& original,
                               const MeshEdges& original_edges, std::span<const TangentSpace> field,
-                              Scheduler& scheduler);
+                              Runtime& runtime);
 
 }  // namespace geolloyd

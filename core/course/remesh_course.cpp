@@ -1,0 +1,49 @@
+#include "core/course/remesh_course.h"
+
+#include <optional>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/mesh/mesh_measure.h"
+#include "core/surface/result/remesh.h"
+#include "core/surface/sizing/sizing.h"
+
+namespace geolloyd {
+
+std::size_t expected_vertices(const RemeshCourse& course) {
+  const RemeshOptions& options = course.options;
+  if (options.vertex_count > 0) return options.vertex_count;
+  Executor& executor = course.runtime.executor();
+  double spacing = options.edge_length;
+  if (!options.sizing.edge_lengths.empty() || !options.field.empty()) {
+    spacing = find_sizing(course.mesh, course.edges, options, executor).spacing;
+  }
+  double area = 0;
+  for (const double a : triangle_areas(course.mesh, course.edges.duplicates, executor)) area += a;
+  return expected_sites(area, spacing);
+}
+
+TimedRemesh run(RemeshCourse course) {
+  const CourseHooks& hooks = course.hooks;
+  if (hooks.budget && course.bytes) hooks.budget(course.bytes(expected_vertices(course)));
+  if (hooks.stage) hooks.stage("preparing the surface");
+  const Stopwatch start;
+  std::optional<Stopwatch> first_move;
+  Stopwatch last_move;
+  const auto watch = std::move(course.options.progress);
+  course.options.progress = [&](const RemeshProgress& progress) {
+    last_move = Stopwatch();
+    if (!first_move) first_move = last_move;
+    const bool goes_on = !watch || watch(progress);
+    return goes_on && (!hooks.keep_going || hooks.keep_going());
+  };
+  TimedRemesh timed;
+  timed.remesh = make_remesh(course.mesh, course.edges, course.options, course.runtime,
+                             course.release_edges);
+  timed.seconds.prepare = first_move.value_or(last_move).since(start);
+  timed.seconds.move = last_move.since(first_move.value_or(last_move));
+  timed.seconds.assemble = last_move.seconds();
+  return timed;
+}
+
+}  // namespace geolloyd
