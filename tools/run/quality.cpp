@@ -18,10 +18,10 @@
 namespace geolloyd {
 namespace {
 
-MeshEdges load(const std::filesystem::path& file, JudgedMesh& mesh, Scheduler& scheduler,
-               ProgressLine& progress) {
+MeshEdges load(const std::filesystem::path& file, std::optional<MeshFormat> format,
+               JudgedMesh& mesh, Scheduler& scheduler, ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, scheduler);
+  LoadedInput loaded = load_input(file, scheduler, {false, format});
   mesh.input = std::move(loaded.input);
   mesh.topology = find_topology(mesh.input.mesh(), loaded.edges);
   return std::move(loaded.edges);
@@ -51,8 +51,9 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
              Scheduler& scheduler, ProgressLine& progress) {
   const JudgedMesh& remesh = record.remesh;
   Likeness& likeness = record.likeness.emplace();
-  const MeshEdges edges = load(input.original, likeness.original, scheduler, progress);
-  announce_memory(
+  const MeshEdges edges =
+      load(input.original, input.format, likeness.original, scheduler, progress);
+  progress.announce_memory(
       input.original.string(),
       memory_to_judge(remesh.input.facts.triangles, likeness.original.input.facts.triangles));
   require_area(remesh);
@@ -75,10 +76,11 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
 
 QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLine& progress) {
   QualityRecord record;
-  const MeshEdges edges = load(input.remesh, record.remesh, scheduler, progress);
+  const MeshEdges edges = load(input.remesh, input.format, record.remesh, scheduler, progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
-    announce_memory(input.remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
+    progress.announce_memory(input.remesh.string(),
+                             memory_to_judge(record.remesh.input.facts.triangles, 0));
   } else {
     compare(input, edges, record, scheduler, progress);
   }
