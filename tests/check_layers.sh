@@ -17,7 +17,7 @@ core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list
 core/shapes: shapes
 core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
-core/surface/sizing
+core/surface/sizing: curvature field_metric sizing
 core/surface/cells: cell_labels cell_pieces nearest_label paired_surface_engine reference_surface_engine surface_engine
 core/surface/features: creases curve_sites feature_curves patches
 core/surface/sites: site_balance site_levels site_relaxer

@@ -24,7 +24,7 @@ TEST(Quality, OfATriangularGridHasNearlyTheEnergyOfHexagons) {
   const fs::path coarse = folder.path() / "coarse.ply";
   write(coarse, refine(rhombus, 40));
   Threads runtime(2);
-  ProgressLine progress;
+  ProgressLine progress{Console()};
   for (const std::uint32_t frequency : {40U, 57U, 80U, 400U}) {
     SCOPED_TRACE(frequency);
     const fs::path original = folder.path() / "original.ply";

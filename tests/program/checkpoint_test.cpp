@@ -246,7 +246,7 @@ TEST_F(CheckpointTest, ThatCannotBeWrittenEndsNoRelaxation) {
   arguments.relaxation.greedy = GreedyMode::extended;  // as the relaxations of this fixture
   ResumableRelaxation relaxation(arguments, start);
   Scheduler scheduler(1);
-  ProgressLine progress;
+  ProgressLine progress{Console()};
   testing::internal::CaptureStderr();
   const EndedRelaxation ended = relaxation.relax(scheduler, progress);
   EXPECT_FALSE(relaxation.save(progress));

@@ -9,6 +9,7 @@
 #include "tools/system/available_memory.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/system/progress.h"
 
 namespace geolloyd {
 namespace {
@@ -85,10 +86,10 @@ TEST(MemoryText, IsShort) {
 
 TEST(MemoryLimit, AnnouncesALargeRunOnce) {
   testing::internal::CaptureStderr();
-  require_memory("part", 2'000'000'000);
-  announce_memory("small", 1'000'000'000);
-  announce_memory("first", 3'000'000'000);
-  announce_memory("second", 4'000'000'000);
+  ProgressLine progress{Console()};
+  progress.announce_memory("small", 1'000'000'000);
+  progress.announce_memory("first", 3'000'000'000);
+  progress.announce_memory("second", 4'000'000'000);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "first: takes up to 3.0 GB of memory\n");
 }
 

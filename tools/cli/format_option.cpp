@@ -4,15 +4,13 @@
 #include <string>
 
 #include "tools/cli/choice_option.h"
-#include "tools/system/input_format.h"
 #include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 
-void add_format_option(CLI::App& command) {
-  if (command.get_option_no_throw("--format") != nullptr) return;
-  const auto set = [](const std::string& name) {
-    set_input_format(value_of(read_format_names, name));
+void add_format_option(CLI::App& command, std::optional<MeshFormat>& format) {
+  const auto set = [&format](const std::string& name) {
+    format = value_of(read_format_names, name);
   };
   one_of(command.add_option_function<std::string>(
              "--format", set,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/formats/mesh_formats.h"
 #include "core/lloyd/relaxation.h"
 #include "tools/cli/cli_fwd.h"
 #include "tools/cli/repair_arguments.h"
@@ -48,6 +49,7 @@ struct GraphArguments : FieldArguments {
 /// What a tessellation begins with.
 struct StartArguments {
   std::filesystem::path mesh;
+  std::optional<MeshFormat> format;  ///< where the name of the mesh does not tell it
   RepairArguments repair;
   SeedArguments seeds;
   GraphArguments graph;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "geolloyd/remesh.h"
@@ -41,6 +42,7 @@ struct FeatureArguments {
 /// All of `remesh`.
 struct RemeshArguments {
   std::filesystem::path mesh;
+  std::optional<MeshFormat> format;  ///< where the name of the mesh does not tell it
   RepairArguments repair;
   FinenessArguments fineness;
   SizingArguments sizing;

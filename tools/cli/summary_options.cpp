@@ -2,16 +2,16 @@
 
 #include <CLI/App.hpp>
 
-#include "tools/system/summary.h"
-
 namespace geolloyd {
 
-void add_quiet_option(CLI::App& command) {
-  command.add_flag_callback("--quiet", silence, "Print nothing but errors");
+void add_quiet_option(CLI::App& command, Console& console) {
+  command.add_flag_callback(
+      "--quiet", [&console] { console.silence(); }, "Print nothing but errors");
 }
 
-void add_json_option(CLI::App& command) {
-  command.add_flag_callback("--json", want_json, "Print all figures as JSON, for scripts");
+void add_json_option(CLI::App& command, Console& console) {
+  command.add_flag_callback(
+      "--json", [&console] { console.want_json(); }, "Print all figures as JSON, for scripts");
 }
 
 }  // namespace geolloyd

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "tools/cli/cli_fwd.h"
+#include "tools/system/console.h"
 
 namespace geolloyd {
 
-/// Adds --quiet, which calls silence() (summary.h).
-void add_quiet_option(CLI::App& command);
+/// Adds --quiet: silences the console, which must live on.
+void add_quiet_option(CLI::App& command, Console& console);
 
-/// Adds --json, which calls want_json(): the command has to print_json() all its figures.
-void add_json_option(CLI::App& command);
+/// Adds --json: the console, which must live on, then wants JSON, and the command has to print all
+/// its figures as such.
+void add_json_option(CLI::App& command, Console& console);
 
 }  // namespace geolloyd

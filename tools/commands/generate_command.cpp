@@ -10,7 +10,7 @@
 #include "tools/files/output_folder.h"
 #include "tools/report/written_mesh.h"
 #include "tools/system/memory_estimate.h"
-#include "tools/system/memory_limit.h"
+#include "tools/system/progress.h"
 #include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
@@ -26,7 +26,7 @@ struct GenerateArguments {
 
 }  // namespace
 
-void add_generate_command(CLI::App& program) {
+void add_generate_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand("generate", "Generate a mesh of a shape");
   const auto arguments = std::make_shared<GenerateArguments>();
   add_choice(*command, "SHAPE", arguments->shape, shape_names, "Shape of the mesh")->required();
@@ -41,15 +41,16 @@ void add_generate_command(CLI::App& program) {
       command->add_option("--random-seed", arguments->random_seed, "Number that varies the shape"),
       0)
       ->capture_default_str();
-  add_json_option(*command);
-  command->callback([arguments] {
+  add_json_option(*command, console);
+  command->callback([arguments, &console] {
     check_mesh_target(arguments->output, {});
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
-      announce_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
+      ProgressLine(console).announce_memory(arguments->output.string(),
+                                            memory_to_generate(arguments->triangles));
     }
     const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
     write(arguments->output, mesh);
-    print_written_mesh("generate", arguments->output, mesh);
+    print_written_mesh("generate", arguments->output, mesh, console);
   });
 }
 

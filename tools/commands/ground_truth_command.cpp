@@ -6,6 +6,7 @@
 
 #include "core/base/stopwatch.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/ground_truth_output.h"
@@ -23,9 +24,9 @@ struct GroundTruthArguments {
   std::filesystem::path output;
 };
 
-void run_ground_truth(const GroundTruthArguments& a) {
+void run_ground_truth(const GroundTruthArguments& a, const Console& console) {
   check_seeds(a.start.seeds);
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
   Threads threads(scheduler, a.engine.frontier);
   Purpose purpose;
@@ -47,15 +48,16 @@ void run_ground_truth(const GroundTruthArguments& a) {
     std::fputs("geolloyd: interrupted\n", stderr);
     throw InterruptedExit{};
   }
-  write_ground_truth(a.output, a.start, start, judged);
+  const std::string report = write_ground_truth(a.output, a.start, start, judged);
   progress.clear();
+  if (console.wants_json()) console.print_json(report);
   print_heading(start);
   fmt::print("{}", describe(judged.truth));
 }
 
 }  // namespace
 
-void add_ground_truth_command(CLI::App& program) {
+void add_ground_truth_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "ground-truth", "Compare the regions of seeds with their Euclidean Voronoi diagram");
   const auto arguments = std::make_shared<GroundTruthArguments>();
@@ -63,13 +65,14 @@ void add_ground_truth_command(CLI::App& program) {
   folder_name(command->add_option("-o,--output", arguments->output,
                                   "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
                                   "ground-truth-regions.csv"));
-  add_json_option(*command);
+  add_json_option(*command, console);
   add_seed_options(*command, arguments->start.seeds);
   add_graph_options(*command, arguments->start.graph);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
+  add_format_option(*command, arguments->start.format);
   command->footer("Seeds are judged as they are; `relax --ground-truth` judges relaxed seeds.");
-  command->callback([arguments] { run_ground_truth(*arguments); });
+  command->callback([arguments, &console] { run_ground_truth(*arguments, console); });
 }
 
 }  // namespace geolloyd

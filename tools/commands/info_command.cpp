@@ -4,34 +4,41 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_topology.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
-#include "tools/system/memory_limit.h"
-#include "tools/system/summary.h"
+#include "tools/system/progress.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 
 namespace geolloyd {
 namespace {
 
-void run_info(const std::filesystem::path& file) {
-  Input input{file, read_within_limits(file), {}, {}};
-  announce_memory(file.string(),
-                  memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
+struct InfoArguments {
+  std::filesystem::path mesh;
+  std::optional<MeshFormat> format;
+};
+
+void run_info(const InfoArguments& arguments, const Console& console) {
+  const std::filesystem::path& file = arguments.mesh;
+  Input input{file, read_within_limits(file, {false, arguments.format}), {}, {}};
+  ProgressLine(console).announce_memory(
+      file.string(), memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
   const MeshEdges edges = find_edges(input.mesh());
   input.facts = check_mesh(input.mesh(), edges);
   const MeshTopology topology = find_topology(input.mesh(), edges);
-  if (wants_json()) {
+  if (console.wants_json()) {
     Json facts = mesh_part(input);
     facts.update(topology_part(topology));
     facts["is_manifold"] = topology.is_manifold();
-    print_json(json_text(facts));
+    console.print_json(json_text(facts));
   }
   fmt::print("{}\n{}  {:<12}{}\n", file.string(), describe(input.loaded, input.facts), "topology",
              describe(topology));
@@ -39,12 +46,13 @@ void run_info(const std::filesystem::path& file) {
 
 }  // namespace
 
-void add_info_command(CLI::App& program) {
+void add_info_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand("info", "Print mesh statistics");
-  const auto mesh = std::make_shared<std::filesystem::path>();
-  command->add_option("MESH", *mesh, input_mesh_text)->type_name("")->required();
-  add_json_option(*command);
-  command->callback([mesh] { run_info(*mesh); });
+  const auto a = std::make_shared<InfoArguments>();
+  command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
+  add_json_option(*command, console);
+  add_format_option(*command, a->format);
+  command->callback([a, &console] { run_info(*a, console); });
 }
 
 }  // namespace geolloyd

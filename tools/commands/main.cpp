@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "geolloyd/errors.h"
-#include "tools/cli/format_option.h"
 #include "tools/cli/memory_option.h"
 #include "tools/cli/suggestion.h"
 #include "tools/cli/summary_options.h"
@@ -113,6 +112,7 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 void run(int argc, char** argv) {
+  geolloyd::Console console;
   CLI::App program(
       "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
       "Try: geolloyd generate creature -o creature.ply\n"
@@ -123,25 +123,24 @@ void run(int argc, char** argv) {
                            "Version, and what this program was built with");
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
-  geolloyd::add_relax_command(program);
-  geolloyd::add_remesh_command(program);
-  geolloyd::add_remesh_all_command(program);
-  geolloyd::add_render_command(program);
-  geolloyd::add_view_command(program);
-  geolloyd::add_verify_command(program);
-  geolloyd::add_compare_command(program);
-  geolloyd::add_profile_command(program);
-  geolloyd::add_batch_command(program);
-  geolloyd::add_ground_truth_command(program);
-  geolloyd::add_generate_command(program);
-  geolloyd::add_subdivide_command(program);
-  geolloyd::add_info_command(program);
-  geolloyd::add_repair_command(program);
-  geolloyd::add_quality_command(program);
+  geolloyd::add_relax_command(program, console);
+  geolloyd::add_remesh_command(program, console);
+  geolloyd::add_remesh_all_command(program, console);
+  geolloyd::add_render_command(program, console);
+  geolloyd::add_view_command(program, console);
+  geolloyd::add_verify_command(program, console);
+  geolloyd::add_compare_command(program, console);
+  geolloyd::add_profile_command(program, console);
+  geolloyd::add_batch_command(program, console);
+  geolloyd::add_ground_truth_command(program, console);
+  geolloyd::add_generate_command(program, console);
+  geolloyd::add_subdivide_command(program, console);
+  geolloyd::add_info_command(program, console);
+  geolloyd::add_repair_command(program, console);
+  geolloyd::add_quality_command(program, console);
   for (CLI::App* command : program.get_subcommands({})) {
     geolloyd::add_memory_option(*command);
-    geolloyd::add_quiet_option(*command);
-    if (command->get_name() != "generate") geolloyd::add_format_option(*command);
+    geolloyd::add_quiet_option(*command, console);
   }
   geolloyd::add_completion_command(program);
   geolloyd::add_man_command(program);

@@ -6,7 +6,8 @@
 #include <memory>
 
 #include "geolloyd/errors.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "geolloyd/threads.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -15,7 +16,6 @@
 #include "tools/report/quality_output.h"
 #include "tools/run/quality.h"
 #include "tools/run/stages.h"
-#include "tools/system/summary.h"
 #include "tools/words/mesh_files.h"
 
 namespace geolloyd {
@@ -27,7 +27,7 @@ struct QualityArguments {
   ThreadArguments threads;
 };
 
-void run_quality(const QualityArguments& a) {
+void run_quality(const QualityArguments& a, const Console& console) {
   const QualityInput& input = a.input;
   if (input.original.empty() && !input.vfield.empty()) {
     throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
@@ -38,17 +38,17 @@ void run_quality(const QualityArguments& a) {
     check_target(a.output, std::array{input.remesh, input.original, field.field_file()});
   }
   Scheduler scheduler = make_scheduler(a.threads);
-  SchedulerRuntime runtime(scheduler);
-  ProgressLine progress;
+  Threads runtime(scheduler);
+  ProgressLine progress(console);
   const QualityRecord record = judge(input, runtime, progress);
   if (!a.output.empty()) write_text_file(a.output, quality_report(record));
-  if (wants_json()) print_json(quality_report(record));
+  if (console.wants_json()) console.print_json(quality_report(record));
   fmt::print("{}", quality_text(record));
 }
 
 }  // namespace
 
-void add_quality_command(CLI::App& program) {
+void add_quality_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "quality", "Judge a remesh of any program: triangles, valences, distance to the original");
   const auto a = std::make_shared<QualityArguments>();
@@ -67,9 +67,10 @@ void add_quality_command(CLI::App& program) {
                    "that of a file as of relax, or of its curvature")
       ->type_name("FILE|curvature");
   command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
-  add_json_option(*command);
+  add_json_option(*command, console);
+  add_format_option(*command, input.format);
   add_thread_options(*command, a->threads);
-  command->callback([a] { run_quality(*a); });
+  command->callback([a, &console] { run_quality(*a, console); });
 }
 
 }  // namespace geolloyd

@@ -10,6 +10,7 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -27,7 +28,6 @@
 #include "tools/system/interrupt.h"
 #include "tools/system/machine.h"
 #include "tools/system/progress.h"
-#include "tools/system/summary.h"
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/facts_text.h"
@@ -228,7 +228,7 @@ std::string option_that_names_vertices(const StartArguments& start) {
   return start.graph.field_file().empty() ? "" : "--vfield";
 }
 
-void run_relax(const RelaxArguments& arguments) {
+void run_relax(const RelaxArguments& arguments, const Console& console) {
   if (!arguments.page_file.empty()) check_viewer();
   check_seeds(arguments.start.seeds);
   check_repair(arguments.start.repair, option_that_names_vertices(arguments.start));
@@ -238,7 +238,7 @@ void run_relax(const RelaxArguments& arguments) {
   lock_folder(arguments.output);  // where it is there: before the mesh is read
   check_checkpoint(arguments);
   const Stopwatch total;
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler, arguments.engine.frontier);
   const auto chosen = make_runtime(arguments.engine.kind, arguments.engine.frontier, scheduler);
@@ -292,7 +292,7 @@ void run_relax(const RelaxArguments& arguments) {
                       relax_contents(arguments, start, result, ended.course, threads));
   }
   progress.clear();
-  if (wants_json()) print_json(report_text(arguments, start, result, cost));
+  if (console.wants_json()) console.print_json(report_text(arguments, start, result, cost));
   print_summary(arguments, start, result, cost);
   print_files(arguments, removed, result.relaxation.steps.size());
   fmt::print("{}", page);
@@ -302,13 +302,13 @@ void run_relax(const RelaxArguments& arguments) {
 
 }  // namespace
 
-void add_relax_command(CLI::App& program) {
+void add_relax_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "relax", "Tessellate a mesh: seeds move to the centroids of their regions");
   const auto arguments = std::make_shared<RelaxArguments>();
   arguments->start.has_properties = true;
   add_mesh_argument(*command, arguments->start);
-  add_json_option(*command);
+  add_json_option(*command, console);
   folder_name(command->add_option("-o,--output", arguments->output,
                                   "Folder for tessellation.ply, seeds.csv, regions.csv, dual.ply,\n"
                                   "report.json"))
@@ -347,11 +347,12 @@ void add_relax_command(CLI::App& program) {
   add_engine_option(*command, arguments->engine.kind);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
+  add_format_option(*command, arguments->start.format);
   add_picture_options(*command, arguments->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far. The same command with --resume\n"
       "goes on from there, also after a crash.");
-  command->callback([arguments] { run_relax(*arguments); });
+  command->callback([arguments, &console] { run_relax(*arguments, console); });
 }
 
 }  // namespace geolloyd

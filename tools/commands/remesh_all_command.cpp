@@ -35,7 +35,6 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
-#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 
@@ -149,11 +148,13 @@ QueuedWork to_be_queued(const RemeshTask& task, std::size_t vertices) {
 class RemeshingAll {
  public:
   /// Both must live on.
-  RemeshingAll(const RemeshAllArguments& arguments, const std::vector<RemeshTask>& tasks)
+  RemeshingAll(const RemeshAllArguments& arguments, const std::vector<RemeshTask>& tasks,
+               const Console& console)
       : arguments_(arguments),
         tasks_(tasks),
         scheduler_(make_scheduler(arguments.each.threads)),
-        record_(tasks, arguments.folder, arguments.each, scheduler_.threads()) {
+        record_(tasks, arguments.folder, arguments.each, scheduler_.threads()),
+        progress_(console) {
     for (const RemeshTask& task : tasks) {
       queued_.push_back(to_be_queued(task, arguments.each.fineness.vertices));
     }
@@ -249,7 +250,7 @@ class RemeshingAll {
   ProgressLine progress_;
 };
 
-void run_remesh_all(const RemeshAllArguments& arguments) {
+void run_remesh_all(const RemeshAllArguments& arguments, const Console& console) {
   check_remesh(arguments.each);
   if (!arguments.each.field.field_file().empty()) {
     throw InvalidInput("--vfield: a file belongs to one mesh: give curvature");
@@ -263,10 +264,10 @@ void run_remesh_all(const RemeshAllArguments& arguments) {
                  inputs);
   std::size_t failed = 0;
   {
-    RemeshingAll all(arguments, tasks);
+    RemeshingAll all(arguments, tasks, console);
     const RemeshRecord& record = all.run();
     failed = record.failed();
-    if (wants_json()) print_json(json_text(record.result()));
+    if (console.wants_json()) console.print_json(json_text(record.result()));
     fmt::print("{}", record.summary());
   }
   if (interrupted()) throw InterruptedExit{};
@@ -279,7 +280,7 @@ void run_remesh_all(const RemeshAllArguments& arguments) {
 
 }  // namespace
 
-void add_remesh_all_command(CLI::App& program) {
+void add_remesh_all_command(CLI::App& program, Console& console) {
   CLI::App* command =
       program.add_subcommand("remesh-all", "Remesh many meshes at once, each as remesh does");
   const auto a = std::make_shared<RemeshAllArguments>();
@@ -297,7 +298,7 @@ void add_remesh_all_command(CLI::App& program) {
   one_of(command->add_option_function<std::string>(
              "--format", set_format, "Format of the remeshes (default: that of each input)"),
          written_format_names);
-  add_json_option(*command);
+  add_json_option(*command, console);
   command->add_flag("--reports", a->has_reports,
                     "For each remesh a report, NAME.json, like that of remesh --report");
   add_adapt_options(*command, a->each.sizing);
@@ -314,7 +315,7 @@ void add_remesh_all_command(CLI::App& program) {
       "A mesh that cannot be remeshed stops none of the others: its error is in the summary, and "
       "the\n"
       "exit status is 2. Ctrl-C ends the work; the remeshes written until then are whole.");
-  command->callback([a] { run_remesh_all(*a); });
+  command->callback([a, &console] { run_remesh_all(*a, console); });
 }
 
 }  // namespace geolloyd

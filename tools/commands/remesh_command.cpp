@@ -7,6 +7,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -17,7 +18,6 @@
 #include "tools/system/machine.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
-#include "tools/system/summary.h"
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/mesh_files.h"
@@ -25,15 +25,15 @@
 namespace geolloyd {
 namespace {
 
-void run_remesh(const RemeshArguments& arguments) {
+void run_remesh(const RemeshArguments& arguments, const Console& console) {
   if (!arguments.page_file.empty()) check_viewer();
   check_remesh(arguments);
   check_remesh_targets(arguments);
   const Stopwatch total;
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   const auto check_memory = [&](std::uint64_t bytes) {
-    announce_memory(arguments.mesh.string(), bytes);
+    progress.announce_memory(arguments.mesh.string(), bytes);
     catch_interrupts();
   };
   RemeshedInput done = remesh_input(arguments, check_memory, scheduler, progress);
@@ -60,14 +60,14 @@ void run_remesh(const RemeshArguments& arguments) {
     page = write_page(arguments.page_file, remesh_contents(arguments, done, scheduler));
   }
   progress.clear();
-  if (wants_json()) print_json(remesh_report(arguments, done.loaded, result));
+  if (console.wants_json()) console.print_json(remesh_report(arguments, done.loaded, result));
   fmt::print("{}{}", describe(arguments, done.loaded, result), page);
   if (remesh.interrupted) throw InterruptedExit{};
 }
 
 }  // namespace
 
-void add_remesh_command(CLI::App& program) {
+void add_remesh_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "remesh", "Remesh a mesh as regularly as can be: vertices move freely over its surface");
   const auto a = std::make_shared<RemeshArguments>();
@@ -101,13 +101,14 @@ void add_remesh_command(CLI::App& program) {
   add_drop_option(*command, a->carries_properties);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
+  add_format_option(*command, a->format);
   add_picture_options(*command, a->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best remesh so far. For the thesis's tessellation, "
       "with\n"
       "regions, seeds on nodes and metrics, use relax.");
-  add_json_option(*command);
-  command->callback([a] { run_remesh(*a); });
+  add_json_option(*command, console);
+  command->callback([a, &console] { run_remesh(*a, console); });
 }
 
 }  // namespace geolloyd

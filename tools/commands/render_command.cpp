@@ -8,6 +8,7 @@
 #include "core/mesh/properties.h"
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
+#include "tools/cli/format_option.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/files/output_folder.h"
@@ -55,11 +56,13 @@ bool shows_colours(const std::vector<Panel>& panels) {
 
 class Renderer {
  public:
-  Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels)
+  Renderer(const RenderArguments& arguments, const std::vector<Panel>& panels,
+           const Console& console)
       : arguments_(arguments),
         panels_(panels),
         scheduler_(make_scheduler(arguments.threads)),
-        threads_(scheduler_, arguments.engine.frontier) {}
+        threads_(scheduler_, arguments.engine.frontier),
+        progress_(console) {}
 
   void render() {
     const PictureArguments& look = arguments_.picture;
@@ -119,14 +122,15 @@ class Renderer {
 
   void read_mesh_alone() {
     progress_.stage("reading " + arguments_.start.mesh.string());
-    start_.input =
-        load_input(arguments_.start.mesh, scheduler_, {arguments_.start.has_properties}).input;
+    start_.input = load_input(arguments_.start.mesh, scheduler_,
+                              {arguments_.start.has_properties, arguments_.start.format})
+                       .input;
     const Mesh& mesh = start_.input.mesh();
     const PictureArguments& look = arguments_.picture;
-    announce_memory(arguments_.start.mesh.string(),
-                    memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                   count_samples(mesh, look.view, look.size, scheduler_),
-                                   bytes_of(start_.input.loaded.properties)));
+    progress_.announce_memory(arguments_.start.mesh.string(),
+                              memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
+                                             count_samples(mesh, look.view, look.size, scheduler_),
+                                             bytes_of(start_.input.loaded.properties)));
   }
 
   void find_partition() {
@@ -228,7 +232,7 @@ std::vector<Panel> check(const RenderArguments& a) {
 
 }  // namespace
 
-void add_render_command(CLI::App& program) {
+void add_render_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a dual");
   const auto a = std::make_shared<RenderArguments>();
@@ -254,13 +258,14 @@ void add_render_command(CLI::App& program) {
   add_dual_options(*command, a->dual);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
+  add_format_option(*command, a->start.format);
   command->footer(
       "surface, mesh and field need no seeds. Seeds are not relaxed. The background is\n"
       "transparent; with captions it is white.");
-  command->callback([a] {
+  command->callback([a, &console] {
     const std::vector<Panel> panels = check(*a);
     a->start.has_properties = a->has_own_colours && shows_colours(panels);
-    Renderer renderer(*a, panels);
+    Renderer renderer(*a, panels, console);
     if (is_page(a->output)) {
       renderer.write_page();
     } else {

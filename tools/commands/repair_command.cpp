@@ -14,6 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/mesh/properties.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -28,7 +29,6 @@
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
-#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
 
@@ -37,6 +37,7 @@ namespace {
 
 struct RepairCommandArguments {
   std::filesystem::path mesh;
+  std::optional<MeshFormat> format;
   RepairArguments repair;
   ThreadArguments threads;
   std::filesystem::path output;
@@ -68,15 +69,15 @@ void write_origins(const RepairedMesh& repaired, FileWriter& out) {
     write_row(out, v, repaired.vertex_origin[v]);
 }
 
-void run_repair(const RepairCommandArguments& arguments) {
+void run_repair(const RepairCommandArguments& arguments, const Console& console) {
   check_targets(arguments);
   const Stopwatch total;
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   progress.stage("reading " + arguments.mesh.string());
-  const Input given = load_input(arguments.mesh, scheduler, {true}).input;
+  const Input given = load_input(arguments.mesh, scheduler, {true, arguments.format}).input;
   const auto bytes = memory_to_repair(given.facts.vertices, given.facts.triangles);
-  announce_memory(arguments.mesh.string(), bytes);
+  progress.announce_memory(arguments.mesh.string(), bytes);
   progress.stage("repairing");
   const Stopwatch watch;
   const RepairedMesh repaired =
@@ -109,7 +110,7 @@ void run_repair(const RepairCommandArguments& arguments) {
                        {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
   if (!arguments.report_file.empty()) files[names.size() - 1].text(json_text(report));
   files.commit();
-  if (wants_json()) print_json(json_text(report));
+  if (console.wants_json()) console.print_json(json_text(report));
   progress.clear();
   fmt::print("{}\n{}{}", given.file.string(),
              describe(given.loaded, given.facts, HandledBy::repair),
@@ -127,7 +128,7 @@ void run_repair(const RepairCommandArguments& arguments) {
 
 }  // namespace
 
-void add_repair_command(CLI::App& program) {
+void add_repair_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "repair", "Repair a mesh: duplicates, cracks, slivers, orientations, small holes");
   const auto a = std::make_shared<RepairCommandArguments>();
@@ -142,8 +143,9 @@ void add_repair_command(CLI::App& program) {
   command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");
   add_hole_option(*command, a->repair);
   add_thread_options(*command, a->threads);
-  add_json_option(*command);
-  command->callback([a] { run_repair(*a); });
+  add_json_option(*command, console);
+  add_format_option(*command, a->format);
+  command->callback([a, &console] { run_repair(*a, console); });
 }
 
 }  // namespace geolloyd

@@ -1,11 +1,13 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/formats/mesh_io.h"
 #include "core/mesh/subdivide.h"
 #include "tools/cli/choice_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
@@ -13,6 +15,7 @@
 #include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
+#include "tools/system/progress.h"
 #include "tools/words/mesh_files.h"
 #include "tools/words/names.h"
 
@@ -31,12 +34,14 @@ const std::vector<Named<Scheme>> scheme_names = {
 
 struct SubdivideArguments {
   std::filesystem::path mesh;
+  std::optional<MeshFormat> format;
   std::filesystem::path output;
   std::vector<Scheme> schemes;
 };
 
 // The last of the schemes makes the largest mesh.
-void check_memory(const std::string& what, const Mesh& mesh, const std::vector<Scheme>& schemes) {
+void check_memory(const std::string& what, const Mesh& mesh, const std::vector<Scheme>& schemes,
+                  const Console& console) {
   std::uint64_t triangles = mesh.triangle_count();
   std::uint64_t bytes = 0;
   for (const Scheme& scheme : schemes) {
@@ -44,12 +49,12 @@ void check_memory(const std::string& what, const Mesh& mesh, const std::vector<S
     require_memory(what, bytes);
     triangles *= scheme.pieces;
   }
-  announce_memory(what, bytes);
+  ProgressLine(console).announce_memory(what, bytes);
 }
 
 }  // namespace
 
-void add_subdivide_command(CLI::App& program) {
+void add_subdivide_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "subdivide", "Subdivide the triangles of a mesh; the surface stays the same");
   const auto arguments = std::make_shared<SubdivideArguments>();
@@ -61,16 +66,17 @@ void add_subdivide_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->output, "File to write: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
-  add_json_option(*command);
-  command->callback([arguments] {
+  add_json_option(*command, console);
+  add_format_option(*command, arguments->format);
+  command->callback([arguments, &console] {
     check_mesh_target(arguments->output, arguments->mesh);
-    Mesh mesh = read_within_limits(arguments->mesh).mesh;
-    check_memory(arguments->output.string(), mesh, arguments->schemes);
+    Mesh mesh = read_within_limits(arguments->mesh, {false, arguments->format}).mesh;
+    check_memory(arguments->output.string(), mesh, arguments->schemes, console);
     for (const Scheme& scheme : arguments->schemes) {
       mesh = scheme.subdivide(mesh);
     }
     write(arguments->output, mesh);
-    print_written_mesh("subdivide", arguments->output, mesh);
+    print_written_mesh("subdivide", arguments->output, mesh, console);
   });
 }
 

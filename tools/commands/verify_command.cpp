@@ -11,6 +11,7 @@
 #include "core/lloyd/paired_engine.h"
 #include "core/surface/cells/paired_surface_engine.h"
 #include "geolloyd/errors.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -19,7 +20,6 @@
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
 #include "tools/system/memory_limit.h"
-#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/names.h"
 
@@ -127,9 +127,9 @@ std::string describe(const Disagreement& difference, const MeshGraph& mesh_graph
   return text;
 }
 
-void verify_relaxation(const VerifyArguments& a) {
+void verify_relaxation(const VerifyArguments& a, const Console& console) {
   check_seeds(a.start.seeds);
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
   Threads threads(scheduler, a.engine.frontier);
   const Start start = prepare(a.start, {}, threads, progress);
@@ -149,25 +149,26 @@ void verify_relaxation(const VerifyArguments& a) {
     throw std::runtime_error(describe(difference, start.mesh_graph));
   }
   progress.clear();
-  if (wants_json()) print_json(json_text(agreement(a, start, relaxation, pair, scheduler)));
+  if (console.wants_json())
+    console.print_json(json_text(agreement(a, start, relaxation, pair, scheduler)));
   print_agreement(start, relaxation, pair, scheduler);
   if (relaxation.stop_reason == StopReason::interrupted) throw InterruptedExit{};
 }
 
-void verify_remesh(const VerifyArguments& a) {
+void verify_remesh(const VerifyArguments& a, const Console& console) {
   check_has_magnitudes(a.start.graph);
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
   const LoadedInput loaded =
-      load_surface(a.start.mesh, scheduler, progress, {!a.features.labels.empty()});
+      load_surface(a.start.mesh, scheduler, progress, {!a.features.labels.empty(), a.start.format});
   RemeshOptions options;
   options.vertex_count = a.vertices;
   options.sizing = read_sizing(a.sizing, loaded);
   options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
   options.features = read_features(a.features, loaded);
-  announce_memory(loaded.input.file.string(),
-                  estimate_remesh_memory(loaded.input, loaded.edges, a.vertices, options,
-                                         std::nullopt, scheduler));
+  progress.announce_memory(loaded.input.file.string(),
+                           estimate_remesh_memory(loaded.input, loaded.edges, a.vertices, options,
+                                                  std::nullopt, scheduler));
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
@@ -180,7 +181,8 @@ void verify_remesh(const VerifyArguments& a) {
     throw std::runtime_error(std::string("the engines differ ") + difference.what());
   }
   progress.clear();
-  if (wants_json()) print_json(json_text(agreement(a, loaded, remesh, comparison, scheduler)));
+  if (console.wants_json())
+    console.print_json(json_text(agreement(a, loaded, remesh, comparison, scheduler)));
   print_agreement(loaded, remesh, comparison);
   print_times(comparison.expected_seconds, comparison.tested_seconds, scheduler);
   if (remesh.interrupted) throw InterruptedExit{};
@@ -208,12 +210,12 @@ void refuse_others(const CLI::App& command, bool is_remesh) {
 
 }  // namespace
 
-void add_verify_command(CLI::App& program) {
+void add_verify_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "verify", "Run both engines side by side and compare them at every step, node by node");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_mesh_argument(*command, arguments->start);
-  add_json_option(*command);
+  add_json_option(*command, console);
   add_vertices_option(*command, arguments->vertices,
                       "Verify a remesh with so many vertices instead of a relaxation");
   add_seed_options(*command, arguments->start.seeds);
@@ -225,15 +227,16 @@ void add_verify_command(CLI::App& program) {
   add_feature_options(*command, arguments->features);
   add_feature_file_options(*command, arguments->features);
   add_thread_options(*command, arguments->threads);
+  add_format_option(*command, arguments->start.format);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
       "Times are those of the engines' work.");
-  command->callback([command, arguments] {
+  command->callback([command, arguments, &console] {
     refuse_others(*command, arguments->vertices > 0);
     if (arguments->vertices > 0) {
-      verify_remesh(*arguments);
+      verify_remesh(*arguments, console);
     } else {
-      verify_relaxation(*arguments);
+      verify_relaxation(*arguments, console);
     }
   });
 }

@@ -10,6 +10,7 @@
 
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/run/stages.h"
@@ -43,16 +44,16 @@ void print_address(const std::string& mesh, const std::string& address) {
   std::fflush(stdout);
 }
 
-void run_view(const ViewArguments& arguments) {
+void run_view(const ViewArguments& arguments, const Console& console) {
   const ViewerAssets assets = viewer_assets();
   check(arguments);
   const StartArguments& start = arguments.start;
   prepare_saving(arguments.output, start.files());
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler);
-  ProgressLine progress;
+  ProgressLine progress(console);
   progress.stage("reading " + start.mesh.string());
-  LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties});
+  LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties, start.format});
   progress.stage("building the graph and choosing seeds");
   SessionModel model(std::move(loaded), {start.graph, start.seeds, arguments.greedy},
                      arguments.output, threads);
@@ -73,7 +74,7 @@ void run_view(const ViewArguments& arguments) {
 
 }  // namespace
 
-void add_view_command(CLI::App& program) {
+void add_view_command(CLI::App& program, Console& console) {
   CLI::App* command =
       program.add_subcommand("view", "Show a mesh in a browser: see its seeds move, and move them");
   const auto a = std::make_shared<ViewArguments>();
@@ -88,11 +89,12 @@ void add_view_command(CLI::App& program) {
              "Greedy phase before the precise phase; auto goes by --init");
   add_drop_option(*command, a->start.has_properties);
   add_thread_options(*command, a->threads);
+  add_format_option(*command, a->start.format);
   command->footer(
       "The server answers on this machine only, and only to the address that it prints. It ends\n"
       "with Ctrl-C, or when the page has been closed for ten minutes. From another machine:\n"
       "ssh -L PORT:127.0.0.1:PORT, with the port of the address.");
-  command->callback([a] { run_view(*a); });
+  command->callback([a, &console] { run_view(*a, console); });
 }
 
 }  // namespace geolloyd

@@ -14,7 +14,8 @@
 namespace geolloyd {
 namespace {
 
-// The folders that this process has locked.
+// The folders that this process has locked. A global, for the locks are the process's: they last as
+// long as it does, whoever asked for them.
 std::set<std::pair<dev_t, ino_t>>& locked_folders() {
   static std::set<std::pair<dev_t, ino_t>> folders;
   return folders;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/laboratory/batch_runs.h"
 #include "tools/laboratory/laboratory.h"
@@ -56,16 +57,17 @@ Json result_of(const BatchArguments& a, const Input& input, std::size_t threads,
   return result;
 }
 
-void run_batch(BatchArguments& arguments) {
+void run_batch(BatchArguments& arguments, const Console& console) {
   drop_repeats(arguments.graphs);
   drop_repeats(arguments.greedy);
   drop_repeats(arguments.macrostep_skip);
   drop_repeats(arguments.microstep_skip);
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   std::vector<std::size_t> ladder = seed_ladder(arguments.seeds);
   progress.stage("reading " + arguments.start.mesh.string());
-  const LoadedInput loaded = load_input(arguments.start.mesh, scheduler);
+  const LoadedInput loaded =
+      load_input(arguments.start.mesh, scheduler, {false, arguments.start.format});
   const Input& input = loaded.input;
   BatchRuns batches(arguments, std::move(ladder), loaded, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
@@ -87,7 +89,7 @@ void run_batch(BatchArguments& arguments) {
   print_machine();
   fmt::print("{}\nmeans over batches, {} engine\n", table_of(rows),
              name_of(engine_names, arguments.engine.kind));
-  finish_experiment(arguments.output, "batch", result);
+  finish_experiment(arguments.output, "batch", result, console);
   if (interrupted()) throw InterruptedExit{};
 }
 
@@ -101,7 +103,7 @@ void add_list(CLI::App& command, const char* name, std::vector<Choice>& list, co
 
 }  // namespace
 
-void add_batch_command(CLI::App& program) {
+void add_batch_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "batch", "Run the thesis's experiment: many first seeds, all graphs, all heuristics");
   const auto a = std::make_shared<BatchArguments>();
@@ -119,7 +121,7 @@ void add_batch_command(CLI::App& program) {
   command->add_flag("--together", a->together,
                     "Do as many runs at once as there are threads, each with one: times\n"
                     "are then those of runs that others slow down");
-  add_output_options(*command, a->output, "batch");
+  add_output_options(*command, a->output, "batch", console);
   add_list(*command, "--graphs", a->graphs, "Kinds of graph", graph_kind_names);
   add_list(*command, "--greedy", a->greedy, "Heuristics of the greedy phase", greedy_mode_names);
   add_list(*command, "--macrostep-skip", a->macrostep_skip,
@@ -134,9 +136,10 @@ void add_batch_command(CLI::App& program) {
   add_limit_options(*command, a->limits);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
+  add_format_option(*command, a->start.format);
   command->footer(
       "First seeds are chosen as triangles. A graph without triangles takes a corner of each.");
-  command->callback([a] { run_batch(*a); });
+  command->callback([a, &console] { run_batch(*a, console); });
 }
 
 }  // namespace geolloyd

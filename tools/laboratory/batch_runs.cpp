@@ -94,7 +94,7 @@ MeshGraph BatchRuns::build_graph(GraphKind kind) {
   const Input& input = loaded_.input;
   bytes_of_run_ = estimate_memory(graph, input, loaded_.edges, 1,
                                   {arguments_.engine.kind, false, {}, {}, false}, scheduler_);
-  announce_memory(input.file.string(), bytes_of_run_);
+  progress_.announce_memory(input.file.string(), bytes_of_run_);
   return make_mesh_graph(
       input.mesh(), loaded_.edges,
       {kind, graph.norm, find_field(graph, input.mesh(), loaded_.edges, scheduler_),

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tools/cli/choice_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/experiment.h"
@@ -85,13 +86,13 @@ Json result_of(const CompareArguments& a, const Start& start, const Comparison& 
   return result;
 }
 
-void run_compare(CompareArguments& arguments) {
+void run_compare(CompareArguments& arguments, const Console& console) {
   drop_repeats(arguments.threads);
   drop_repeats(arguments.frontiers);
   drop_repeats(arguments.backends);
   check_seeds(arguments.start.seeds);
   check_same_course(arguments.relaxation);
-  ProgressLine progress;
+  ProgressLine progress(console);
   const Start start = [&] {
     Threads threads;
     return prepare(arguments.start, {}, threads, progress);
@@ -108,7 +109,7 @@ void run_compare(CompareArguments& arguments) {
     save_result(arguments.output, "compare", rows, result);
     print_comparison(start, comparison);
   }
-  finish_experiment(arguments.output, "compare", result);
+  finish_experiment(arguments.output, "compare", result, console);
   for (const Contender& c : comparison.contenders) {
     if (!comparison.is_equal(c)) {
       throw std::runtime_error(title_of(c) +
@@ -120,12 +121,12 @@ void run_compare(CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& program) {
+void add_compare_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "compare", "Time the reference and the parallel engine, by threads, frontier and backend");
   const auto a = std::make_shared<CompareArguments>();
   add_mesh_argument(*command, a->start);
-  add_output_options(*command, a->output, "compare");
+  add_output_options(*command, a->output, "compare", console);
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
   add_relaxation_options(*command, a->relaxation);
@@ -153,8 +154,9 @@ void add_compare_command(CLI::App& program) {
       ->add_flag("--no-reference", a->no_reference,
                  "Leave out the sequential reference, which is slow")
       ->group(group);
+  add_format_option(*command, a->start.format);
   command->footer("Exit status 1 if a fingerprint differs. Times are those of the relaxation.");
-  command->callback([a] { run_compare(*a); });
+  command->callback([a, &console] { run_compare(*a, console); });
 }
 
 }  // namespace geolloyd

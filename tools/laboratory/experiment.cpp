@@ -16,14 +16,14 @@
 #include "tools/files/output_folder.h"
 #include "tools/laboratory/plot.h"
 #include "tools/system/interrupt.h"
-#include "tools/system/summary.h"
 
 namespace geolloyd {
 
-void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name) {
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name,
+                        Console& console) {
   folder_name(command.add_option("-o,--output", output.folder,
                                  fmt::format("Folder for {0}.json, {0}.csv and pictures", name)));
-  add_json_option(command);
+  add_json_option(command, console);
   command.add_flag("--no-plot", output.no_plot, "Draw no pictures (they need python3-matplotlib)");
 }
 
@@ -55,9 +55,9 @@ void save_result(const ExperimentOutput& output, const std::string& name, const 
   files.commit();
 }
 
-void finish_experiment(const ExperimentOutput& output, const std::string& name,
-                       const Json& result) {
-  if (wants_json()) print_json(json_text(result));
+void finish_experiment(const ExperimentOutput& output, const std::string& name, const Json& result,
+                       const Console& console) {
+  if (console.wants_json()) console.print_json(json_text(result));
   if (interrupted()) fmt::print("\nINTERRUPTED: this is only a part\n");
   const std::filesystem::path json = output.folder / (name + ".json");
   std::error_code error;

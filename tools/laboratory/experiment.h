@@ -21,7 +21,8 @@ struct ExperimentOutput {
 };
 
 /// Adds --output, --json and --no-plot to the command that writes NAME.json and NAME.csv.
-void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name);
+void add_output_options(CLI::App& command, ExperimentOutput& output, const std::string& name,
+                        Console& console);
 
 /// For runs that are to be alike. Throws InvalidInput where seconds limit the improvement.
 void check_same_course(const RelaxationArguments& relaxation);
@@ -36,7 +37,8 @@ void save_result(const ExperimentOutput& output, const std::string& name, const 
 
 /// Prints the result where --json asks for it, says what was written and draws it. Says so, too, if
 /// an interrupt came.
-void finish_experiment(const ExperimentOutput& output, const std::string& name, const Json& result);
+void finish_experiment(const ExperimentOutput& output, const std::string& name, const Json& result,
+                       const Console& console);
 
 /// Leaves the first of equals.
 template <class Value>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
+#include "tools/cli/format_option.h"
 #include "tools/laboratory/experiment.h"
 #include "tools/laboratory/laboratory.h"
 #include "tools/laboratory/measured_run.h"
@@ -147,11 +148,11 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
   return profiles;
 }
 
-void run_profile(ProfileArguments& arguments) {
+void run_profile(ProfileArguments& arguments, const Console& console) {
   drop_repeats(arguments.engines);
   check_seeds(arguments.start.seeds);
   check_same_course(arguments.relaxation);
-  ProgressLine progress;
+  ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler);
   const Start start = prepare(arguments.start, {}, threads, progress);
@@ -161,7 +162,7 @@ void run_profile(ProfileArguments& arguments) {
   progress.clear();
   const Json result = write_profiles(arguments, start, profiles);
   print_profiles(start, profiles);
-  finish_experiment(arguments.output, "profile", result);
+  finish_experiment(arguments.output, "profile", result, console);
   if (interrupted()) throw InterruptedExit{};
   if (profiles.front().run.relaxation.fingerprint != profiles.back().run.relaxation.fingerprint) {
     throw std::runtime_error(
@@ -171,22 +172,23 @@ void run_profile(ProfileArguments& arguments) {
 
 }  // namespace
 
-void add_profile_command(CLI::App& program) {
+void add_profile_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "profile", "Show where the time goes, by phase and kernel, in both engines");
   const auto a = std::make_shared<ProfileArguments>();
   add_mesh_argument(*command, a->start);
-  add_output_options(*command, a->output, "profile");
+  add_output_options(*command, a->output, "profile", console);
   add_choice_list(*command, "--engines", a->engines, engine_names, "Engines, separated by commas");
   add_seed_options(*command, a->start.seeds);
   add_graph_options(*command, a->start.graph);
   add_relaxation_options(*command, a->relaxation);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
+  add_format_option(*command, a->start.format);
   command->footer(
       "Kernels of the parallel engine run side by side. The time of a step is divided among\n"
       "kernels by their shares in the time of all threads.");
-  command->callback([a] { run_profile(*a); });
+  command->callback([a, &console] { run_profile(*a, console); });
 }
 
 }  // namespace geolloyd

@@ -9,7 +9,6 @@
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
-#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -99,8 +98,8 @@ void prepare_ground_truth_output(const std::filesystem::path& folder,
   if (!folder.empty()) prepare_folder(folder, ground_truth_names, arguments.files());
 }
 
-void write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
-                        const Start& start, const JudgedPartition& judged) {
+std::string write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
+                               const Start& start, const JudgedPartition& judged) {
   const std::string report = json_text(result_of(arguments, start, judged));
   if (!folder.empty()) {
     FileGroup files(folder, ground_truth_names);
@@ -109,7 +108,7 @@ void write_ground_truth(const std::filesystem::path& folder, const StartArgument
     files[2].text(report);
     files.commit();
   }
-  if (wants_json()) print_json(report);
+  return report;
 }
 
 }  // namespace geolloyd

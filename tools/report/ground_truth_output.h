@@ -31,8 +31,9 @@ void prepare_ground_truth_output(const std::filesystem::path& folder,
                                  const StartArguments& arguments);
 
 /// ground-truth-regions.csv: a line per input id. ground-truth-seeds.csv: a line per region.
-/// ground-truth.json, the last to appear. Nothing where no folder is named.
-void write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
-                        const Start& start, const JudgedPartition& judged);
+/// ground-truth.json, the last to appear. No file where no folder is named. Returns the text of
+/// ground-truth.json.
+std::string write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
+                               const Start& start, const JudgedPartition& judged);
 
 }  // namespace geolloyd

@@ -5,19 +5,18 @@
 
 #include "tools/files/json.h"
 #include "tools/system/build_facts.h"
-#include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
 
 void print_written_mesh(const std::string& command, const std::filesystem::path& file,
-                        const Mesh& mesh) {
-  if (wants_json()) {
-    print_json(json_text({{"program", program_name()},
-                          {"command", command},
-                          {"output", file.string()},
-                          {"vertices", mesh.vertex_count()},
-                          {"triangles", mesh.triangle_count()}}));
+                        const Mesh& mesh, const Console& console) {
+  if (console.wants_json()) {
+    console.print_json(json_text({{"program", program_name()},
+                                  {"command", command},
+                                  {"output", file.string()},
+                                  {"vertices", mesh.vertex_count()},
+                                  {"triangles", mesh.triangle_count()}}));
   }
   fmt::print("{}: {} vertices, {} triangles\n", file.string(), grouped(mesh.vertex_count()),
              grouped(mesh.triangle_count()));

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "core/mesh/mesh.h"
+#include "tools/system/console.h"
 
 namespace geolloyd {
 
 /// What the commands print that write a mesh and measure nothing: its size.
 void print_written_mesh(const std::string& command, const std::filesystem::path& file,
-                        const Mesh& mesh);
+                        const Mesh& mesh, const Console& console);
 
 }  // namespace geolloyd

@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_readers.h"
 #include "core/mesh/properties.h"
 #include "core/text/compression.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
-#include "tools/system/input_format.h"
 #include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/mesh_files.h"
@@ -20,10 +18,10 @@ namespace geolloyd {
 
 namespace {
 
-// Where the name tells none, what --format says.
-MeshFormat format_of_input(const std::filesystem::path& file) {
+// Where the name tells none, the one given.
+MeshFormat format_of_input(const std::filesystem::path& file, std::optional<MeshFormat> given) {
   const bool is_told = file != standard_input && known_format(file);
-  if (!is_told && input_format()) return *input_format();
+  if (!is_told && given) return *given;
   if (file == standard_input) {
     throw InvalidInput("standard input: say what it is, such as --format ply");
   }
@@ -62,8 +60,8 @@ LoadedMesh parse(const MeshBytes& file, const ReadOptions& options) {
 
 }  // namespace
 
-LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptions& options) {
-  const MeshFormat format = format_of_input(file);
+LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOptions& options) {
+  const MeshFormat format = format_of_input(file, options.format);
   const bool is_file = file != standard_input;
   const std::string name = is_file ? file.string() : "standard input";
   std::error_code unknown;  // is for the reader to tell
@@ -80,7 +78,7 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptio
 }
 
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
-                       const ReadOptions& options, const RepairArguments& repair) {
+                       const InputOptions& options, const RepairArguments& repair) {
   LoadedInput loaded;
   const Stopwatch watch;
   loaded.input.file = file;

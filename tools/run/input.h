@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/executor.h"
+#include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
@@ -30,13 +31,19 @@ struct LoadedInput {
   double edge_seconds = 0;  ///< to find the edges
 };
 
+/// How a mesh file is read.
+struct InputOptions {
+  bool properties = false;  ///< read them, too: they may take more memory than the mesh
+  std::optional<MeshFormat> format = {};  ///< where the name does not tell it, as of standard input
+};
+
 /// Reads a mesh. Throws InvalidInput where there is not enough memory (memory_limit.h): judged by
 /// the size of the file, then for what comes next in every command, finding its edges. Where only
 /// properties are malformed, the message says how to do without.
-LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptions& options = {});
+LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOptions& options = {});
 
 /// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
-                       const ReadOptions& options = {}, const RepairArguments& repair = {});
+                       const InputOptions& options = {}, const RepairArguments& repair = {});
 
 }  // namespace geolloyd

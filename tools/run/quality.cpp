@@ -14,10 +14,10 @@
 namespace geolloyd {
 namespace {
 
-MeshEdges load(const std::filesystem::path& file, JudgedMesh& mesh, Executor& executor,
-               ProgressLine& progress) {
+MeshEdges load(const std::filesystem::path& file, std::optional<MeshFormat> format,
+               JudgedMesh& mesh, Executor& executor, ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, executor);
+  LoadedInput loaded = load_input(file, executor, {false, format});
   mesh.input = std::move(loaded.input);
   mesh.topology = find_topology(mesh.input.mesh(), loaded.edges);
   return std::move(loaded.edges);
@@ -33,8 +33,8 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
              Runtime& runtime, ProgressLine& progress) {
   Executor& executor = runtime.executor();
   JudgedMesh& original = record.original.emplace();
-  const MeshEdges edges = load(input.original, original, executor, progress);
-  announce_memory(input.original.string(), memory_to_judge(record.remesh.input.facts.triangles,
+  const MeshEdges edges = load(input.original, input.format, original, executor, progress);
+  progress.announce_memory(input.original.string(), memory_to_judge(record.remesh.input.facts.triangles,
                                                            original.input.facts.triangles));
   require_area(record.remesh);
   require_area(original);
@@ -53,10 +53,11 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
 
 QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& progress) {
   QualityRecord record;
-  const MeshEdges edges = load(input.remesh, record.remesh, runtime.executor(), progress);
+  const MeshEdges edges = load(input.remesh, input.format, record.remesh, runtime.executor(), progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
-    announce_memory(input.remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
+    progress.announce_memory(input.remesh.string(),
+                             memory_to_judge(record.remesh.input.facts.triangles, 0));
   } else {
     compare(input, edges, record, runtime, progress);
   }

@@ -35,6 +35,7 @@ struct QualityInput {
   std::filesystem::path original;  ///< empty: the remesh is judged alone
   std::filesystem::path vfield;    ///< of the original, as --vfield has it; empty: none
   std::size_t samples = 0;         ///< on each of the two
+  std::optional<MeshFormat> format = {};  ///< of a mesh whose name does not tell it
 };
 
 /// Throws Error.

@@ -136,7 +136,7 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler) {
 }
 
 LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
-                         ProgressLine& progress, const ReadOptions& options,
+                         ProgressLine& progress, const InputOptions& options,
                          const RepairArguments& repair) {
   progress.stage("reading " + file.string());
   LoadedInput loaded = load_input(file, scheduler, options, repair);

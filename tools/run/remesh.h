@@ -24,7 +24,7 @@ MakeSurfaceEngine make_surface_engines(EngineKind kind, Scheduler& scheduler);
 /// Reads the mesh, repairs it if that is wanted, and finds its edges. Throws InvalidInput where it
 /// has no area.
 LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler,
-                         ProgressLine& progress, const ReadOptions& options = {},
+                         ProgressLine& progress, const InputOptions& options = {},
                          const RepairArguments& repair = {});
 
 /// Read the files that are named, and find the labels. Throw InvalidInput where one does not fit

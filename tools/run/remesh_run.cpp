@@ -98,9 +98,10 @@ void check_remesh(const RemeshArguments& arguments) {
 RemeshedInput remesh_input(const RemeshArguments& arguments, const MemoryCheck& check_memory,
                            Scheduler& scheduler, ProgressLine& progress) {
   RemeshedInput done;
-  done.loaded = load_surface(arguments.mesh, scheduler, progress,
-                             {arguments.carries_properties || !arguments.features.labels.empty()},
-                             arguments.repair);
+  done.loaded = load_surface(
+      arguments.mesh, scheduler, progress,
+      {arguments.carries_properties || !arguments.features.labels.empty(), arguments.format},
+      arguments.repair);
   RemeshResult& result = done.result;
   result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
   Remesher remesher(arguments, done.loaded, check_memory, scheduler, progress);

@@ -129,13 +129,13 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Runtime& runtime
   Start start;
   Executor& executor = runtime.executor();
   progress.stage("reading " + arguments.mesh.string());
-  LoadedInput loaded =
-      load_input(arguments.mesh, executor, {arguments.has_properties}, arguments.repair);
+  LoadedInput loaded = load_input(arguments.mesh, executor,
+                                  {arguments.has_properties, arguments.format}, arguments.repair);
   std::optional<SeedSource> source;
   if (!seeds.file.empty()) source.emplace(seeds);
   start.memory_estimate = estimate_memory(arguments.graph, loaded.input, loaded.edges,
                                           source ? source->most() : seeds.count, purpose, executor);
-  announce_memory(loaded.input.file.string(), start.memory_estimate);
+  progress.announce_memory(loaded.input.file.string(), start.memory_estimate);
 
   progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
   const Stopwatch whole;

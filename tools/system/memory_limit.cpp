@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -17,16 +16,14 @@
 #include "geolloyd/errors.h"
 #include "parallel/threads/available_cores.h"
 #include "tools/system/available_memory.h"
-#include "tools/system/summary.h"
 
 namespace geolloyd {
 namespace {
 
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t large = 1'000'000'000;
+constexpr std::uint64_t gigabyte = 1'000'000'000;
 
 std::uint64_t limit = no_limit;
-bool announced = false;
 std::uint64_t held_at_start = 0;
 std::size_t threads = 0;
 std::optional<rlim_t> data_at_start;
@@ -135,14 +132,6 @@ void require_memory(const std::string& what, std::uint64_t bytes) {
   }
 }
 
-void announce_memory(const std::string& what, std::uint64_t bytes) {
-  require_memory(what, bytes);
-  if (bytes <= large || announced || is_silent()) return;
-  announced = true;
-  const char* line_start = isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
-  fmt::print(stderr, "{}{}: takes up to {} of memory\n", line_start, what, memory_text(bytes));
-}
-
 std::string out_of_memory_message() {
   return fmt::format(
       "out of memory, of which {} are allowed: use a smaller mesh, remesh or picture, a graph with "
@@ -151,7 +140,7 @@ std::string out_of_memory_message() {
 }
 
 std::string memory_text(std::uint64_t bytes) {
-  if (bytes < large) return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
+  if (bytes < gigabyte) return fmt::format("{:.0f} MB", static_cast<double>(bytes) * 1e-6);
   return fmt::format("{:.1f} GB", static_cast<double>(bytes) * 1e-9);
 }
 

@@ -9,6 +9,9 @@ namespace geolloyd {
 // How much memory the program may hold. The system gives memory away that it does not have, and
 // ends a program that then uses it: so what cannot fit is refused before the work, and what was
 // not foreseen meets a limit that ends it with a message (RLIMIT_DATA).
+//
+// The limit is the process's own, one for all its threads: it is told to the system, which holds
+// every allocation to it, and is a global here as it is there.
 
 /// Has arrays of large meshes go back to the system as soon as they are freed. The allocator would
 /// keep holes instead, which the next arrays do not fit into.
@@ -35,10 +38,6 @@ class LiftedMemoryLimit {
 
 /// Throws InvalidInput where `bytes` are more than the limit.
 void require_memory(const std::string& what, std::uint64_t bytes);
-
-/// The same for all that a command does, which is known once its mesh has been read. Says on
-/// standard error, once, that a large run begins.
-void announce_memory(const std::string& what, std::uint64_t bytes);
 
 /// What to tell the user when memory has run out.
 std::string out_of_memory_message();

@@ -6,13 +6,14 @@
 
 #include <cstdio>
 
-#include "tools/system/summary.h"
+#include "tools/system/memory_limit.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
 namespace {
 
 constexpr double seconds_between_updates = 0.1;
+constexpr std::uint64_t large_memory = 1'000'000'000;
 constexpr std::size_t bar_width = 12;
 
 // The share of seeds at rest: it does not rise steadily, but it ends full.
@@ -23,7 +24,8 @@ std::string bar(std::size_t moving, std::size_t seeds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0 && !is_silent()) {}
+ProgressLine::ProgressLine(const Console& console)
+    : ProgressLine(console.is_silent(), isatty(STDERR_FILENO) != 0 && !console.is_silent()) {}
 
 void ProgressLine::stage(const std::string& what) {
   part_.clear();
@@ -56,6 +58,14 @@ bool ProgressLine::is_due() {
 void ProgressLine::clear() {
   if (printed_) std::fputs("\r\033[K", stderr);
   printed_ = false;
+}
+
+void ProgressLine::announce_memory(const std::string& what, std::uint64_t bytes) {
+  require_memory(what, bytes);
+  if (bytes <= large_memory || announced_ || is_silent_) return;
+  announced_ = true;
+  clear();
+  fmt::print(stderr, "{}: takes up to {} of memory\n", what, memory_text(bytes));
 }
 
 void ProgressLine::print(const std::string& text) {

@@ -2,8 +2,8 @@
 
 #include "core/base/executor.h"
 #include "core/dual/region_surface.h"
-#include "core/surface/features/feature_curves.h"
-#include "core/surface/sites/site_relaxer.h"
+#include "core/surface/features/patches.h"
+#include "core/surface/sites/site_levels.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/system/summary.h"
+#include "tools/system/console.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,9 +13,6 @@
 namespace geolloyd {
 namespace {
 
-bool silent = false;
-int standard_output = -1;  // where stdout led to, once that is silent for the sake of JSON
-
 void fail() {
   throw IoError("standard output: cannot write: " + std::generic_category().message(errno));
 }
@@ -27,28 +24,20 @@ void lead_nowhere() {
 
 }  // namespace
 
-void silence() {
-  silent = true;
+void Console::silence() {
+  is_silent_ = true;
   lead_nowhere();
 }
 
-bool is_silent() {
-  return silent;
-}
-
-void want_json() {
-  standard_output = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-  if (standard_output < 0) fail();
+void Console::want_json() {
+  standard_output_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (standard_output_ < 0) fail();
   lead_nowhere();
 }
 
-bool wants_json() {
-  return standard_output >= 0;
-}
-
-void print_json(const std::string& text) {
+void Console::print_json(const std::string& text) const {
   for (std::string_view left = text; !left.empty();) {
-    const ssize_t count = ::write(standard_output, left.data(), left.size());
+    const ssize_t count = ::write(standard_output_, left.data(), left.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail();
     left.remove_prefix(static_cast<std::size_t>(count));
