@@ -13,11 +13,11 @@ core/base
 core/text
 core/mesh
 core/repair: repair
-core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list
+core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list base64
 core/shapes: shapes
 core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
-core/surface/sizing: curvature field_metric sizing
+core/surface/sizing: curvature field_metric sizing recipe
 core/surface/cells: cell_labels cell_pieces nearest_label paired_surface_engine reference_surface_engine surface_engine
 core/surface/features: creases curve_sites feature_curves patches
 core/surface/sites: site_balance site_levels site_relaxer
@@ -37,13 +37,13 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation: closest_places embree_scene ground_truth hexagonal_energy point_queries site_energy statistics surface_distance vertex_search
+tools/evaluation: closest_places embree_scene ground_truth point_queries site_energy statistics surface_distance vertex_search attribute_transfer edge_lengths likeness metric_quality
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
 tools/files
 tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
-tools/run: attribute_transfer checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
+tools/run: checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
 tools/view: assets http_server layers page page_contents saving session
 tools/laboratory: laboratory

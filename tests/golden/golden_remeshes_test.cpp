@@ -14,7 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/surface/result/remesh.h"
 #include "core/text/file_io.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "geolloyd/threads.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/sanitizers.h"
 #include "tools/words/names.h"
@@ -78,7 +78,7 @@ std::string outcome_of(GoldenRemesh row, const Mesh& mesh, const MeshEdges& edge
 
 std::string outcome_in_parallel(const GoldenRemesh& row, const Mesh& mesh, const MeshEdges& edges,
                                 Scheduler& scheduler) {
-  SchedulerRuntime runtime(scheduler);
+  Threads runtime(scheduler);
   return outcome_of(row, mesh, edges, runtime);
 }
 

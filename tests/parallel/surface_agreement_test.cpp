@@ -17,7 +17,7 @@
 #include "core/surface/result/site_places.h"
 #include "core/surface/sites/site_descent.h"
 #include "core/surface/substrate/coarse_mesh.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "geolloyd/threads.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/agreement.h"
@@ -328,7 +328,7 @@ void expect_same_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOp
   const Remesh expected = make_remesh(mesh, edges, options, reference_runtime());
   EXPECT_TRUE(expected.has_input_topology());
   for_schedulers([&](Scheduler& scheduler) {
-    SchedulerRuntime runtime(scheduler);
+    Threads runtime(scheduler);
     const Remesh remesh = make_remesh(mesh, edges, options, runtime);
     EXPECT_EQ(remesh.fingerprint, expected.fingerprint);
     EXPECT_TRUE(same_bytes(remesh.mesh.positions, expected.mesh.positions));

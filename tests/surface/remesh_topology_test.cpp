@@ -15,7 +15,7 @@
 #include "core/mesh/mesh_topology.h"
 #include "core/mesh/subdivide.h"
 #include "core/surface/result/remesh.h"
-#include "parallel/library/scheduler_runtime.h"
+#include "geolloyd/threads.h"
 #include "parallel/threads/scheduler.h"
 #include "tests/support/odd_surfaces.h"
 #include "tests/support/walked_topology.h"
@@ -60,7 +60,7 @@ Remesh remesh_of(const Mesh& mesh, std::size_t vertices, Scheduler& scheduler) {
   RemeshOptions options;
   options.fit = false;  // which would leave each vertex near its triangle only
   options.vertex_count = vertices;
-  SchedulerRuntime runtime(scheduler);
+  Threads runtime(scheduler);
   return make_remesh(mesh, find_edges(mesh), options, runtime);
 }
 
