@@ -14,7 +14,7 @@ function table() {
          "core/base core/text core/mesh core/repair core/formats core/shapes core/dual " \
          "core/surface/substrate core/surface/sizing core/surface/cells core/surface/features " \
          "core/surface/sites core/surface/result " \
-         "core/graph core/voronoi core/seeds core/lloyd core/regions core/start core/library " \
+         "core/graph core/voronoi core/seeds core/lloyd core/regions core/start core/course core/library " \
          "parallel/include/geolloyd parallel/threads parallel/engine parallel/surface parallel/library " \
          "tools/include/geolloyd tools/words tools/evaluation tools/render tools/python " \
          "tools/system tools/files tools/cli tools/run tools/report tools/experiments tools/view " \

@@ -10,6 +10,7 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/batch.h"
 #include "tools/experiments/experiment.h"
@@ -28,7 +29,7 @@ namespace {
 const std::vector<Named<bool>> switch_names = {{"on", true}, {"off", false}};
 
 struct BatchArguments {
-  StartArguments start;  // but for the number of seeds and the kind of graph
+  RunRequest start;  // but for the number of seeds and the kind of graph
   RelaxationArguments limits;
   EngineArguments engine;
   ThreadArguments threads;
@@ -58,7 +59,7 @@ std::vector<BatchRow> empty_rows(const BatchArguments& a, GraphKind graph, std::
 }
 
 RelaxationOptions options_of(const RelaxationArguments& limits, const Configuration& c) {
-  RelaxationOptions options = relaxation_options({}, limits);
+  RelaxationOptions options = relaxation_options({}, {}, limits);
   options.greedy = c.greedy;
   options.macrostep_skip = c.macrostep_skip;
   options.microstep_skip = c.microstep_skip;
@@ -88,11 +89,11 @@ class Batches {
     std::vector<BatchRow> rows;
     for (const GraphKind graph : arguments_.graphs) {
       progress_.stage("building the " + name_of(graph_kind_names, graph) + " graph");
-      GraphArguments as_asked = arguments_.start.graph;
+      GraphPlan as_asked = arguments_.start.graph;
       as_asked.kind = graph;
       // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
-      const Purpose purpose{arguments_.engine.kind, false, {}, {}, false};
-      const BuiltGraph built = build_graph(as_asked, loaded_, purpose, threads_.executor());
+      const RunWork work{arguments_.engine.kind, false, {}, false};
+      const BuiltGraph built = build_graph(as_asked, loaded_, work, threads_.executor());
       const MeshGraph& mesh_graph = built.mesh_graph;
       bytes_of_run_ = built.memory_estimate;
       for (const std::size_t k : ladder_) {
@@ -207,7 +208,8 @@ Json result_of(const BatchArguments& a, const Input& input, std::size_t threads,
                bool is_complete) {
   const EngineKind engine = a.engine.kind;
   Json result = begin_result("batch", input);
-  result["options"] = options_part(a.start, a.limits, 0);
+  result["options"] =
+      options_part(a.start, relaxation_options(a.start.seeds, a.start.seed_file, a.limits), 0);
   result["options"].update(Json{{"graph", names_of(graph_kind_names, a.graphs)},
                                 {"seeds", seed_ladder(a.seeds)},
                                 {"greedy", names_of(greedy_mode_names, a.greedy)},
@@ -273,7 +275,7 @@ void add_batch_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "batch", "Run the thesis's experiment: many first seeds, all graphs, all heuristics");
   const auto a = std::make_shared<BatchArguments>();
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   command
       ->add_option("-k,--seeds", a->seeds,
                    "Numbers of seeds: 1024, or 16,1024, or 4..1024 for 4, 8, 16... 1024")

@@ -18,12 +18,12 @@
 namespace geolloyd {
 
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const StartArguments& arguments) {
+                    const RunRequest& request) {
   if (output.folder.empty()) return;
   const std::string json = name + ".json";
   const std::string csv = name + ".csv";
   const std::array names = {json.c_str(), csv.c_str()};
-  prepare_folder(output.folder, names, arguments.files());
+  prepare_folder(output.folder, names, request.files());
 }
 
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
@@ -60,7 +60,7 @@ std::string duration_text(double seconds) {
   return seconds < 1000 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
-void print_heading(const Start& start) {
+void print_heading(const PreparedInput& start) {
   const Graph& graph = start.mesh_graph.graph;
   fmt::print("{}: {} graph, {}, {}, {}\n", start.input.file.string(),
              name_of(graph_kind_names, start.mesh_graph.kind),

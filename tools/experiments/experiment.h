@@ -17,7 +17,7 @@ namespace geolloyd {
 
 /// Makes sure that the files can be written and would replace no input.
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const StartArguments& arguments);
+                    const RunRequest& request);
 
 /// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,
@@ -44,7 +44,7 @@ ProgressCallback watcher(ProgressLine& progress, std::size_t seeds);
 std::string duration_text(double seconds);
 
 /// A line that names mesh and graph, one on seeds given by position, and the next.
-void print_heading(const Start& start);
+void print_heading(const PreparedInput& start);
 
 /// A line that names the machine.
 void print_machine();

@@ -8,7 +8,6 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/repair/repair.h"
-#include "tools/cli/repair_arguments.h"
 
 namespace geolloyd {
 
@@ -37,6 +36,7 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptio
 
 /// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
-                       const ReadOptions& options = {}, const RepairArguments& repair = {});
+                       const ReadOptions& options = {},
+                       const std::optional<RepairOptions>& repair = {});
 
 }  // namespace geolloyd

@@ -43,7 +43,7 @@ struct QualityRecord {
 struct QualityInput {
   std::filesystem::path remesh;
   std::filesystem::path original;  ///< empty: the remesh is judged alone
-  FieldArguments field;            ///< of the original
+  FieldSource field;               ///< of the original
   std::size_t samples = 0;         ///< on each of the two
 };
 
