@@ -4,12 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "core/graph/components.h"
+#include "core/course/prepared_run.h"
 #include "core/library/tessellated_graph.h"
 #include "core/lloyd/engine.h"
 #include "core/seeds/seed_file.h"
 #include "core/seeds/seeds.h"
-#include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
@@ -30,34 +29,30 @@ void validate(const Mesh& mesh, const RelaxOptions& options) {
   }
 }
 
-// A graph and the first seeds on it. What sites of the surface take is given back before the graph
-// is made.
-std::vector<NodeId> make_graph_and_seeds(const Mesh& mesh, std::span<const TangentSpace> field,
-                                         const RelaxOptions& options, Runtime& runtime,
-                                         MeshGraph& mesh_graph) {
-  MeshEdges edges = find_edges(mesh, runtime.executor());
-  keep_for_arcs(edges, options.graph);
-  const FirstSeedOptions first{options.init, options.seed_count, options.random_seed, field};
-  std::vector<SeedPlace> places;
-  if (options.seed_count != 0) {
-    places =
-        find_first_places(mesh, edges.duplicates,
-                          count_nodes(mesh, options.graph, runtime.executor()), first, runtime);
-  }
-  mesh_graph = make_mesh_graph(
-      mesh, std::move(edges),
-      {options.graph, options.norm, {field.begin(), field.end()}, options.averaging},
-      runtime.executor());
-  const Components components = connected_components(mesh_graph.graph);
-  if (options.seed_count != 0) {
-    return choose_first_seeds(mesh, places, mesh_graph, components, first, runtime);
-  }
+FindSeeds given_seeds(const RelaxOptions& options) {
+  if (options.seed_count != 0) return {};
   if (!options.first_positions.empty()) {
-    return seeds_at(options.first_positions, "first_positions", mesh_graph, components).nodes;
+    return [&options](const MeshGraph& mesh_graph, const Components& components) {
+      return seeds_at(options.first_positions, "first_positions", mesh_graph, components);
+    };
   }
-  std::vector<NodeId> nodes = nodes_of_seeds(mesh_graph, options.first_seeds);
-  check_every_component_has_a_seed("first_seeds", mesh_graph, components, nodes);
-  return nodes;
+  return [&options](const MeshGraph& mesh_graph, const Components& components) {
+    GivenSeeds given{nodes_of_seeds(mesh_graph, options.first_seeds), {}};
+    check_every_component_has_a_seed("first_seeds", mesh_graph, components, given.nodes);
+    return given;
+  };
+}
+
+MeshGraphOptions graph_options(const Mesh& mesh, const RelaxOptions& options) {
+  return {options.graph, options.norm, checked_field(options.field, mesh.vertex_count()),
+          options.averaging};
+}
+
+PreparedRun prepare(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime) {
+  validate(mesh, options);
+  const RunPlan plan{graph_options(mesh, options),
+                     {options.seed_count, options.init, options.random_seed, given_seeds(options)}};
+  return prepare(mesh, find_edges(mesh, runtime.executor()), plan, runtime);
 }
 
 RelaxationOptions relaxation_options(const RelaxOptions& options) {
@@ -65,23 +60,17 @@ RelaxationOptions relaxation_options(const RelaxOptions& options) {
   relaxation.max_greedy_steps = options.max_greedy_steps;
   relaxation.max_macrosteps = options.max_macrosteps;
   relaxation.improvement_rounds = options.improvement_rounds;
-  const bool is_given = options.seed_count == 0;
-  relaxation.greedy = options.greedy.value_or(is_given ? GreedyMode::extended
-                                                       : suggested_greedy_mode(options.init));
+  relaxation.greedy = greedy_mode(options.greedy, options.seed_count == 0, options.init);
   return relaxation;
 }
 
 }  // namespace
 
 Tessellation relax(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime) {
-  validate(mesh, options);
-  const std::vector<TangentSpace> field = checked_field(options.field, mesh.vertex_count());
-  TessellatedGraph result;
-  result.mesh_digest = digest(mesh);
-  std::vector<NodeId> seeds =
-      make_graph_and_seeds(mesh, field, options, runtime, result.mesh_graph);
+  PreparedRun run = prepare(mesh, options, runtime);
+  TessellatedGraph result{digest(mesh), std::move(run.mesh_graph), {}};
   const auto engine = runtime.make_engine(result.mesh_graph.graph);
-  result.relaxation = relax(result.mesh_graph.graph, *engine, std::move(seeds),
+  result.relaxation = relax(result.mesh_graph.graph, *engine, std::move(run.seeds),
                             relaxation_options(options), options.progress);
   return describe(std::move(result));
 }
@@ -94,24 +83,17 @@ Tessellation voronoi(const Mesh& mesh, RelaxOptions options, Runtime& runtime) {
 }
 
 std::vector<InputId> first_seeds(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime) {
-  validate(mesh, options);
-  const std::vector<TangentSpace> field = checked_field(options.field, mesh.vertex_count());
-  MeshGraph mesh_graph;
+  const PreparedRun run = prepare(mesh, options, runtime);
   std::vector<InputId> seeds;
-  for (const NodeId node : make_graph_and_seeds(mesh, field, options, runtime, mesh_graph)) {
-    seeds.push_back(mesh_graph.input_id[node]);
-  }
+  for (const NodeId node : run.seeds) seeds.push_back(run.mesh_graph.input_id[node]);
   return seeds;
 }
 
 std::vector<double> distances(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime) {
   validate(mesh, options);
   if (options.first_seeds.empty()) throw InvalidInput("distances: from where? Give first_seeds");
-  const MeshGraph made =
-      make_mesh_graph(mesh, find_edges(mesh, runtime.executor()),
-                      {options.graph, options.norm,
-                       checked_field(options.field, mesh.vertex_count()), options.averaging},
-                      runtime.executor());
+  const MeshGraph made = make_mesh_graph(mesh, find_edges(mesh, runtime.executor()),
+                                         graph_options(mesh, options), runtime.executor());
   const auto engine = runtime.make_engine(made.graph);
   const Partition& partition = partition_of(*engine, nodes_of_seeds(made, options.first_seeds));
   std::vector<double> result(made.node_of.size(), std::numeric_limits<double>::infinity());

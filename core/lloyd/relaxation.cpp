@@ -31,13 +31,14 @@ class LloydLoop {
  public:
   LloydLoop(const Graph& graph, Engine& engine, RelaxationState& state,
             const RelaxationOptions& options, const ProgressCallback& observer,
-            SeedTrails* trails = nullptr)
+            SeedTrails* trails = nullptr, StepStartCallback beginning = {})
       : graph_(graph),
         engine_(engine),
         state_(state),
         options_(options),
         observer_(observer),
-        trails_(trails) {
+        trails_(trails),
+        beginning_(std::move(beginning)) {
     if (trails != nullptr) trails->clear();
   }
 
@@ -61,6 +62,7 @@ class LloydLoop {
     begin_step(phase);
     if (phase == Phase::precise && has_macrostep_from(next_.step.state))
       return StopReason::recurred;
+    announce_step();
     is_cut_short_ = !take(phase);
     is_partitioned_ = !is_cut_short_ && next_.step.seeds_moved == 0 && phase != Phase::improvement;
     next_.step.seconds = since(before, engine_.seconds(), watch.seconds());
@@ -123,6 +125,13 @@ class LloydLoop {
     next_.step.energy = to_energy(graph_, next_.step.score);
     next_.step.state = engine_.state_digest(state_.seeds);
     if (next_.step.score < lowest_score(state_.steps)) state_.best_seeds = state_.seeds;
+  }
+
+  void announce_step() const {
+    if (!beginning_) return;
+    const Phase phase = next_.step.phase;
+    beginning_({phase, next_number(phase), state_.steps.size(), next_.step.energy, state_.seeds,
+                engine_.current()});
   }
 
   bool greedy_step() {
@@ -271,6 +280,7 @@ class LloydLoop {
   const RelaxationOptions& options_;
   const ProgressCallback& observer_;
   SeedTrails* trails_;
+  StepStartCallback beginning_;
   bool is_partitioned_ = false;  // the engine holds the partition of the seeds as they are
   Attempt next_;
   bool is_cut_short_ = false;
@@ -298,8 +308,8 @@ std::optional<StopReason> take_step(const Graph& graph, Engine& engine, Relaxati
 
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
                  const RelaxationOptions& options, const ProgressCallback& observer,
-                 const StepCallback& boundary) {
-  return LloydLoop(graph, engine, state, options, observer).run(boundary);
+                 const StepCallback& boundary, const StepStartCallback& beginning) {
+  return LloydLoop(graph, engine, state, options, observer, nullptr, beginning).run(boundary);
 }
 
 Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,

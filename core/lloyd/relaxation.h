@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -65,6 +66,19 @@ struct Relaxation {
   std::uint64_t fingerprint = 0;
 };
 
+/// A step that is about to be taken.
+struct StepStart {
+  Phase phase = Phase::greedy;
+  std::uint32_t number = 0;  ///< counts from 1 in each phase
+  std::size_t steps_before = 0;
+  double energy = 0;  ///< mesh units
+  const std::vector<NodeId>& seeds;
+  const Partition& partition;  ///< of the seeds, regions free
+};
+
+/// Called as each step begins, those that are cut short too.
+using StepStartCallback = std::function<void(const StepStart&)>;
+
 /// Called after each step that was taken to its end.
 using StepCallback = std::function<void(const RelaxationState&)>;
 
@@ -82,7 +96,7 @@ Relaxation relax(const Graph& graph, Engine& engine, std::vector<NodeId> seeds,
 /// has begun stays. `state`, at first no more than seeds, becomes that after the last whole step.
 Relaxation relax(const Graph& graph, Engine& engine, RelaxationState& state,
                  const RelaxationOptions& options, const ProgressCallback& observer = {},
-                 const StepCallback& boundary = {});
+                 const StepCallback& boundary = {}, const StepStartCallback& beginning = {});
 
 /// The phase that the next step belongs to, if there is one.
 Phase next_phase(const RelaxationState& state, const RelaxationOptions& options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,6 +17,12 @@ namespace geolloyd {
 enum class SeedsBy {
   id,       ///< of the same mesh and kind of graph
   position  ///< of any mesh: the nearest node
+};
+
+/// A file of seeds.
+struct SeedFile {
+  std::filesystem::path path;  ///< empty: there is none
+  SeedsBy by = SeedsBy::id;
 };
 
 /// Seeds in the order of their file.

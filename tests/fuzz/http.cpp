@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/threads.h"
 #include "tests/fuzz/target.h"
 #include "tools/view/http_reader.h"
 #include "tools/view/http_site.h"
@@ -22,7 +23,7 @@ const HttpGuard guard{8080, "0123456789abcdef0123456789abcdef"};
 
 // What a request is made on.
 struct Served {
-  Served() : model(input(), options(), {}, scheduler), session(model, [] {}) {}
+  Served() : model(input(), options(), {}, threads), session(model, [] {}) {}
 
   static LoadedInput input() {
     LoadedInput loaded;
@@ -40,7 +41,7 @@ struct Served {
     return options;
   }
 
-  Scheduler scheduler{1};
+  Threads threads{1};
   SessionModel model;
   Session session;
   HttpSite site{guard, {"index", "script", "style"}, session};

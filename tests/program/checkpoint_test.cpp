@@ -13,6 +13,7 @@
 #include "core/text/file_io.h"
 #include "core/voronoi/fingerprint.h"
 #include "geolloyd/errors.h"
+#include "geolloyd/threads.h"
 #include "tests/support/same_relaxation.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/files/flat_map.h"
@@ -237,18 +238,14 @@ TEST_F(CheckpointTest, OfALaterProgramSaysWhose) {
 
 // A disk may be full for a while: that is said, and the work goes on.
 TEST_F(CheckpointTest, ThatCannotBeWrittenEndsNoRelaxation) {
-  Start start;
-  start.mesh_graph.graph = graph_;
-  start.seeds = first_;
-  RelaxArguments arguments;
-  arguments.output = folder_.path() / "missing";
-  arguments.checkpoint_seconds = 0;
-  arguments.relaxation.greedy = GreedyMode::extended;  // as the relaxations of this fixture
-  ResumableRelaxation relaxation(arguments, start);
-  Scheduler scheduler(1);
+  PreparedRun run;
+  run.mesh_graph.graph = graph_;
+  run.seeds = first_;
+  ResumableRelaxation relaxation(run, {}, {folder_.path() / "missing", 0, false});
+  Threads threads(1);
   ProgressLine progress{Console()};
   testing::internal::CaptureStderr();
-  const EndedRelaxation ended = relaxation.relax(scheduler, progress);
+  const EndedRelaxation ended = relaxation.relax(threads, progress, {});
   EXPECT_FALSE(relaxation.save(progress));
   EXPECT_NE(testing::internal::GetCapturedStderr().find("missing"), std::string::npos);
   expect_same(whole_, ended.relaxation);

@@ -10,6 +10,7 @@
 
 #include "core/formats/mesh_io.h"
 #include "core/shapes/shapes.h"
+#include "geolloyd/threads.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/run/input.h"
@@ -30,8 +31,8 @@ class SessionFixture : public testing::Test {
     options_.greedy = greedy;
     output_ = folder_.path() / "saved";
     prepare_saving(output_, {});
-    model_ =
-        std::make_unique<SessionModel>(load_input(file, scheduler_), options_, output_, scheduler_);
+    model_ = std::make_unique<SessionModel>(load_input(file, threads_.executor()), options_,
+                                            output_, threads_);
   }
 
   [[nodiscard]] Json state() { return model_->state(nullptr, false); }
@@ -80,7 +81,7 @@ class SessionFixture : public testing::Test {
 
   TemporaryFolder folder_;
   std::filesystem::path output_;
-  Scheduler scheduler_{2};
+  Threads threads_{2};
   SessionOptions options_;
   std::unique_ptr<SessionModel> model_;
 };

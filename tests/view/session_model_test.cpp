@@ -233,7 +233,8 @@ TEST_F(SessionModelTest, LayersGoWithTheSeedsTheyBelongTo) {
 
 TEST_F(SessionModelTest, WithoutAFolderNothingIsSaved) {
   open(icosphere(80), 3);
-  SessionModel other(load_input(folder_.path() / "mesh.ply", scheduler_), options_, {}, scheduler_);
+  SessionModel other(load_input(folder_.path() / "mesh.ply", threads_.executor()), options_, {},
+                     threads_);
   EXPECT_THROW(
       other.perform(parse_command(R"({"do":"save","what":"result"})"), [] { return true; }),
       InvalidInput);

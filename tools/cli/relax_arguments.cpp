@@ -9,13 +9,14 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/system/memory_limit.h"
 #include "tools/words/mesh_files.h"
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
 
-void add_mesh_argument(CLI::App& command, StartArguments& start) {
-  command.add_option("MESH", start.mesh, input_mesh_text)->type_name("")->required();
+void add_mesh_argument(CLI::App& command, std::filesystem::path& mesh) {
+  command.add_option("MESH", mesh, input_mesh_text)->type_name("")->required();
 }
 
 namespace {
@@ -41,25 +42,25 @@ Improvement parse_improvement(const std::string& text) {
 
 }  // namespace
 
-void add_seed_options(CLI::App& command, SeedArguments& seeds) {
+void add_seed_options(CLI::App& command, SeedPlan& seeds, SeedFile& file) {
   whole_number(
       command.add_option("-k,--seeds", seeds.count, "Number of seeds; each has one region"), 1,
       most_32_bits)
       ->group(seed_group);
-  CLI::Option* const file =
-      command.add_option("--seeds-file", seeds.file,
+  CLI::Option* const file_option =
+      command.add_option("--seeds-file", file.path,
                          "File of seeds to start from instead: one input id or three\n"
                          "coordinates per line, the seeds.csv of another run, or a mesh");
-  file->type_name("FILE")->group(seed_group);
-  add_choice(command, "--by", seeds.by, seeds_by_names,
+  file_option->type_name("FILE")->group(seed_group);
+  add_choice(command, "--by", file.by, seeds_by_names,
              "Which columns of a seeds.csv count: id, or position for the nodes\n"
              "nearest to seeds of another mesh or graph; position for a mesh")
-      ->needs(file)
+      ->needs(file_option)
       ->group(seed_group);
   add_init_options(command, seeds);
 }
 
-void add_init_options(CLI::App& command, SeedArguments& seeds) {
+void add_init_options(CLI::App& command, SeedPlan& seeds) {
   add_choice(command, "--init", seeds.init, seed_init_names,
              "How to choose the first seeds. auto: coarse for few, surface for many,\n"
              "farthest for many on few nodes")
@@ -71,7 +72,7 @@ void add_init_options(CLI::App& command, SeedArguments& seeds) {
       ->group(seed_group);
 }
 
-void add_graph_options(CLI::App& command, GraphArguments& graph) {
+void add_graph_options(CLI::App& command, GraphPlan& graph) {
   add_choice(command, "-g,--graph", graph.kind, graph_kind_names,
              "Nodes of the graph; dense graphs join more of them, and\n"
              "vertex-far adds geodesic shortcuts across up to five edges")
@@ -81,7 +82,7 @@ void add_graph_options(CLI::App& command, GraphArguments& graph) {
 
 namespace {
 
-void check_averaging(const GraphArguments& graph) {
+void check_averaging(const GraphPlan& graph) {
   if (graph.averaging && graph.vfield.empty()) {
     throw InvalidInput(
         "--averaging: of which tangent field? Give --vfield FILE, or --vfield curvature");
@@ -95,7 +96,7 @@ void check_averaging(const GraphArguments& graph) {
 
 }  // namespace
 
-void add_metric_options(CLI::App& command, GraphArguments& graph) {
+void add_metric_options(CLI::App& command, GraphPlan& graph) {
   add_choice(command, "--norm", graph.norm, norm_names,
              "Norm of displacements; manhattan and linf use the axes of the\n"
              "tangent field or, without a field, of the coordinates")
@@ -176,7 +177,7 @@ void add_thread_options(CLI::App& command, ThreadArguments& threads) {
       ->group(thread_group);
 }
 
-void add_picture_options(CLI::App& command, PictureArguments& picture) {
+void add_picture_options(CLI::App& command, PictureLook& picture) {
   const char* group = "Pictures";
   command
       .add_option_function<std::string>(
@@ -202,47 +203,47 @@ void add_drop_option(CLI::App& command, bool& carries_properties) {
                    "other properties of the mesh, instead of carrying them over");
 }
 
-void add_dual_options(CLI::App& command, DualArguments& dual) {
+void add_dual_options(CLI::App& command, bool& manifold, DualVertices& vertices, bool& quads) {
   const char* group = "Dual";
   command
-      .add_flag("--manifold,!--no-manifold", dual.manifold,
+      .add_flag("--manifold,!--no-manifold", manifold,
                 "Add vertices until the dual is a manifold with the input's\n"
                 "topology (default: yes)")
       ->group(group);
-  add_choice(command, "--dual-vertices", dual.vertices, dual_vertices_names,
+  add_choice(command, "--dual-vertices", vertices, dual_vertices_names,
              "Places of the dual's vertices: the seeds, or the surface points\n"
              "nearest to the centroids of the ground truth's regions")
       ->group(group);
   command
-      .add_flag("--quads", dual.quads,
+      .add_flag("--quads", quads,
                 "Join triangles of the dual to quadrilaterals, where their corners\n"
                 "have 30 to 150 degrees; best with --norm linf --vfield cross")
       ->group(group);
 }
 
-void check_seeds(const SeedArguments& seeds) {
-  if (seeds.count == 0 && seeds.file.empty()) {
+void check_seeds(const SeedPlan& seeds, const SeedFile& file) {
+  if (seeds.count == 0 && file.path.empty()) {
     throw InvalidInput("how many regions? Give --seeds N, or --seeds-file FILE");
   }
-  if (seeds.count != 0 && !seeds.file.empty()) {
+  if (seeds.count != 0 && !file.path.empty()) {
     throw InvalidInput("--seeds and --seeds-file exclude each other: the file says how many");
   }
 }
 
-namespace {
-
-// Of seeds from a file nobody knows how they were chosen.
-GreedyMode greedy_mode(const SeedArguments& seeds, std::optional<GreedyMode> asked) {
-  if (asked) return *asked;
-  return seeds.file.empty() ? suggested_greedy_mode(seeds.init) : GreedyMode::extended;
+RelaxationOptions relaxation_options(const SeedPlan& seeds, const SeedFile& file,
+                                     const RelaxationArguments& a) {
+  return {greedy_mode(a.greedy, !file.path.empty(), seeds.init),
+          !a.no_microstep_skip,
+          !a.no_macrostep_skip,
+          a.max_greedy_steps,
+          a.max_macrosteps,
+          a.improvement.rounds,
+          a.improvement.seconds};
 }
 
-}  // namespace
-
-RelaxationOptions relaxation_options(const SeedArguments& seeds, const RelaxationArguments& a) {
-  return {greedy_mode(seeds, a.greedy), !a.no_microstep_skip, !a.no_macrostep_skip,
-          a.max_greedy_steps,           a.max_macrosteps,     a.improvement.rounds,
-          a.improvement.seconds};
+Scheduler make_scheduler(const ThreadArguments& threads) {
+  make_room_for_threads(threads.count);
+  return Scheduler(threads.count, threads.backend);
 }
 
 }  // namespace geolloyd

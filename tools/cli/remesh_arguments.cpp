@@ -48,13 +48,13 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
       ->type_name("DISTANCE");
 }
 
-void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what) {
+void add_field_option(CLI::App& command, FieldSource& field, const std::string& what) {
   command.add_option("--vfield", field.vfield, what)
       ->type_name("FILE|curvature")
       ->group(sizing_group);
 }
 
-void check_has_magnitudes(const FieldArguments& field) {
+void check_has_magnitudes(const FieldSource& field) {
   if (!field.has_cross_field()) return;
   throw InvalidInput(
       "--vfield cross: has directions without magnitudes, which shape no triangles: give "

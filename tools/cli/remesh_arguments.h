@@ -7,6 +7,7 @@
 
 #include "geolloyd/remesh.h"
 #include "tools/cli/relax_arguments.h"
+#include "tools/cli/repair_arguments.h"
 
 namespace geolloyd {
 
@@ -47,12 +48,12 @@ struct RemeshArguments {
   FinenessArguments fineness;
   SizingArguments sizing;
   FeatureArguments features;
-  FieldArguments field;
+  FieldSource field;
   bool no_fit = false;
   bool carries_properties = true;
   EngineKind engine = EngineKind::parallel;
   ThreadArguments threads;
-  PictureArguments picture;
+  PictureLook picture;
   std::filesystem::path output;        ///< the remesh
   std::filesystem::path report_file;   ///< empty: none
   std::filesystem::path map_file;      ///< empty: none
@@ -79,9 +80,9 @@ CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices, const
 /// --vertices, --edge-length and --tolerance.
 void add_fineness_options(CLI::App& command, FinenessArguments& fineness);
 /// --vfield, in the same group, with this description.
-void add_field_option(CLI::App& command, FieldArguments& field, const std::string& what);
+void add_field_option(CLI::App& command, FieldSource& field, const std::string& what);
 /// Throws InvalidInput where the field has no magnitudes: it would change nothing.
-void check_has_magnitudes(const FieldArguments& field);
+void check_has_magnitudes(const FieldSource& field);
 /// --sizing and --density: files that belong to one mesh.
 void add_size_file_options(CLI::App& command, SizingArguments& sizing);
 /// --adapt and --growth.

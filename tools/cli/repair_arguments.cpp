@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "geolloyd/errors.h"
+#include "tools/words/facts_text.h"
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
@@ -73,11 +74,6 @@ void check_repair(const RepairArguments& repair, const std::string& option) {
                        " exclude each other, because a repair renumbers vertices and triangles: "
                        "write the repaired mesh with geolloyd repair and use that");
   }
-}
-
-std::string name_of_hole_size(const RepairOptions& options) {
-  if (options.hole_edges > 0) return fmt::format("{}", options.hole_edges);
-  return options.hole_share > 0 ? fmt::format("{:.6g}%", 100 * options.hole_share) : "off";
 }
 
 }  // namespace geolloyd

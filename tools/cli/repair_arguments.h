@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "geolloyd/repair.h"
@@ -12,6 +13,10 @@ struct RepairArguments {
   bool is_wanted = false;
   bool has_hole_size = false;  ///< given, not the default
   RepairOptions options;
+
+  [[nodiscard]] std::optional<RepairOptions> wanted() const {
+    return is_wanted ? std::optional(options) : std::nullopt;
+  }
 };
 
 /// --fill-holes.
@@ -21,8 +26,5 @@ void add_repair_options(CLI::App& command, RepairArguments& repair);
 /// Throws InvalidInput for --fill-holes without --repair, and where an option names vertices or
 /// triangles, which a repair renumbers. `option` is empty if no such option is given.
 void check_repair(const RepairArguments& repair, const std::string& option);
-
-/// As --fill-holes has it.
-std::string name_of_hole_size(const RepairOptions& options);
 
 }  // namespace geolloyd

@@ -7,6 +7,7 @@
 #include "core/base/stopwatch.h"
 #include "tools/cli/folder_option.h"
 #include "tools/cli/format_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/ground_truth_output.h"
@@ -18,20 +19,20 @@ namespace geolloyd {
 namespace {
 
 struct GroundTruthArguments {
-  StartArguments start;
+  RunRequest start;
   EngineArguments engine;
   ThreadArguments threads;
   std::filesystem::path output;
 };
 
 void run_ground_truth(const GroundTruthArguments& a, const Console& console) {
-  check_seeds(a.start.seeds);
+  check_seeds(a.start.seeds, a.start.seed_file);
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
   Threads threads(scheduler, a.engine.frontier);
-  Purpose purpose;
-  purpose.has_ground_truth = true;
-  const Start start = prepare(a.start, purpose, threads, progress);
+  RunWork work;
+  work.has_ground_truth = true;
+  const PreparedInput start = prepare(a.start, work, threads, progress);
   catch_interrupts();  // before the folder appears
   prepare_ground_truth_output(a.output, a.start);
   progress.stage("partitioning");
@@ -61,12 +62,12 @@ void add_ground_truth_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "ground-truth", "Compare the regions of seeds with their Euclidean Voronoi diagram");
   const auto arguments = std::make_shared<GroundTruthArguments>();
-  add_mesh_argument(*command, arguments->start);
+  add_mesh_argument(*command, arguments->start.mesh);
   folder_name(command->add_option("-o,--output", arguments->output,
                                   "Folder for ground-truth.json, ground-truth-seeds.csv and\n"
                                   "ground-truth-regions.csv"));
   add_json_option(*command, console);
-  add_seed_options(*command, arguments->start.seeds);
+  add_seed_options(*command, arguments->start.seeds, arguments->start.seed_file);
   add_graph_options(*command, arguments->start.graph);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);

@@ -9,6 +9,7 @@
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
 #include "tools/cli/format_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/files/output_folder.h"
@@ -29,11 +30,11 @@ namespace geolloyd {
 namespace {
 
 struct RenderArguments {
-  StartArguments start;
+  RunRequest start;
   ThreadArguments threads;
   EngineArguments engine;  // its frontier
-  DualArguments dual;
-  PictureArguments picture;
+  DualRequest dual;
+  PictureLook picture;
   std::filesystem::path output;
   std::vector<std::string> panels;
   bool has_own_colours = true;
@@ -65,7 +66,7 @@ class Renderer {
         progress_(console) {}
 
   void render() {
-    const PictureArguments& look = arguments_.picture;
+    const PictureLook& look = arguments_.picture;
     if (any(needs_partition)) {
       find_partition();
     } else {
@@ -126,7 +127,7 @@ class Renderer {
                               {arguments_.start.has_properties, arguments_.start.format})
                        .input;
     const Mesh& mesh = start_.input.mesh();
-    const PictureArguments& look = arguments_.picture;
+    const PictureLook& look = arguments_.picture;
     progress_.announce_memory(arguments_.start.mesh.string(),
                               memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
                                              count_samples(mesh, look.view, look.size, scheduler_),
@@ -134,13 +135,12 @@ class Renderer {
   }
 
   void find_partition() {
-    Purpose purpose;
-    purpose.picture = arguments_.picture;
-    purpose.has_dual = any([](PanelKind kind) { return kind == PanelKind::dual; });
-    purpose.has_ground_truth =
-        any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
-        arguments_.dual.vertices == DualVertices::centroids;
-    start_ = prepare(arguments_.start, purpose, threads_, progress_);
+    RunWork work;
+    work.picture = arguments_.picture;
+    work.has_dual = any([](PanelKind kind) { return kind == PanelKind::dual; });
+    work.has_ground_truth = any([](PanelKind kind) { return kind == PanelKind::ground_truth; }) ||
+                            arguments_.dual.vertices == DualVertices::centroids;
+    start_ = prepare(arguments_.start, work, threads_, progress_);
     const Graph& graph = start_.mesh_graph.graph;
     found_ = partition_seeds(graph, start_.seeds, threads_);
     colours_ = colours_of_regions(graph, found_.partition, start_.seeds.size());
@@ -148,20 +148,15 @@ class Renderer {
 
   Pixels draw(PanelKind kind, const Scene& scene) {
     if (kind != PanelKind::dual) return to_pixels(scene, paint(kind, scene), scheduler_);
-    const GraphDual made = dual();
+    const MadeDual made = dual();
     const Scene other = make_scene(made.mesh, scene.camera, Shading::flat, scheduler_);
-    QuadPairs pairs;
-    if (arguments_.dual.quads) {
-      pairs = pair_triangles(made.mesh, find_edges(made.mesh, scheduler_));
-    }
+    const QuadPairs pairs = made.quads.value_or(QuadPairs{});
     return to_pixels(other, paint_mesh(other, scheduler_, {}, pairs.is_inner), scheduler_);
   }
 
-  GraphDual dual() {
-    return make_graph_dual(
-        {start_.input.mesh(), start_.mesh_graph, start_.seeds, found_.partition, *found_.engine,
-         scheduler_, start_.surface ? &*start_.surface : nullptr},
-        {arguments_.dual.manifold, arguments_.dual.vertices}, scheduler_);
+  MadeDual dual() {
+    return make_dual(start_, start_.seeds, found_.partition, *found_.engine, arguments_.dual,
+                     scheduler_);
   }
 
   Canvas paint(PanelKind kind, const Scene& scene) {
@@ -198,7 +193,7 @@ class Renderer {
   Scheduler scheduler_;
   Threads threads_;  // the same
   ProgressLine progress_;
-  Start start_;  // the input alone where no panel needs more
+  PreparedInput start_;  // the input alone where no panel needs more
   EnginePartition found_;
   std::vector<Colour> colours_;  // of regions
   SurfaceColours own_colours_;
@@ -208,7 +203,7 @@ class Renderer {
 std::vector<Panel> check(const RenderArguments& a) {
   std::vector<Panel> panels;
   for (const std::string& text : a.panels) panels.push_back(parse_panel(text));
-  const bool has_seeds = a.start.seeds.count > 0 || !a.start.seeds.file.empty();
+  const bool has_seeds = a.start.seeds.count > 0 || !a.start.seed_file.path.empty();
   if (panels.empty()) {
     panels.push_back({has_seeds ? PanelKind::regions : PanelKind::surface, std::nullopt});
   }
@@ -216,7 +211,7 @@ std::vector<Panel> check(const RenderArguments& a) {
     if (panel.kind == PanelKind::field && a.start.graph.vfield.empty()) {
       throw InvalidInput("--panel field: which field? Give --vfield FILE, or --vfield curvature");
     }
-    if (needs_partition(panel.kind)) check_seeds(a.start.seeds);
+    if (needs_partition(panel.kind)) check_seeds(a.start.seeds, a.start.seed_file);
     if (panel.caption && !Sheet::can_show(*panel.caption)) {
       throw InvalidInput("--panel: the caption '" + *panel.caption + "' is not in UTF-8");
     }
@@ -236,7 +231,7 @@ void add_render_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "render", "Draw a mesh, regions of seeds, shortest paths, a tangent field or a dual");
   const auto a = std::make_shared<RenderArguments>();
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   command
       ->add_option("-o,--output", a->output,
                    "PNG file; or NAME.html, a page for a browser with all\n"
@@ -253,9 +248,9 @@ void add_render_command(CLI::App& program, Console& console) {
   command->add_flag("!--drop", a->has_own_colours,
                     "Draw surface and mesh without the mesh's own colours");
   add_picture_options(*command, a->picture);
-  add_seed_options(*command, a->start.seeds);
+  add_seed_options(*command, a->start.seeds, a->start.seed_file);
   add_graph_options(*command, a->start.graph);
-  add_dual_options(*command, a->dual);
+  add_dual_options(*command, a->dual.manifold, a->dual.vertices, a->dual.quads);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
   add_format_option(*command, a->start.format);

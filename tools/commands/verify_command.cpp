@@ -27,7 +27,7 @@ namespace geolloyd {
 namespace {
 
 struct VerifyArguments {
-  StartArguments start;
+  RunRequest start;
   RelaxationArguments relaxation;
   EngineArguments engine;
   ThreadArguments threads;
@@ -71,12 +71,14 @@ Json agreement(const VerifyArguments& a, const LoadedInput& loaded, const Remesh
   return result;
 }
 
-Json agreement(const VerifyArguments& a, const Start& start, const Relaxation& relaxation,
+Json agreement(const VerifyArguments& a, const PreparedInput& start, const Relaxation& relaxation,
                const PairedEngine& pair, const Scheduler& scheduler) {
   Json result =
       begin_agreement(start.input, scheduler, relaxation.stop_reason == StopReason::interrupted,
                       relaxation.fingerprint);
-  result["options"] = options_part(a.start, a.relaxation, start.seeds.size());
+  result["options"] =
+      options_part(a.start, relaxation_options(a.start.seeds, a.start.seed_file, a.relaxation),
+                   start.seeds.size());
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["seed_fit"] = seed_fit_part(start.seed_fit);
   result["steps"] = steps_part(count_steps(relaxation));
@@ -97,8 +99,8 @@ void print_agreement(const LoadedInput& loaded, const Remesh& remesh,
   fmt::print("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint));
 }
 
-void print_agreement(const Start& start, const Relaxation& relaxation, const PairedEngine& pair,
-                     const Scheduler& scheduler) {
+void print_agreement(const PreparedInput& start, const Relaxation& relaxation,
+                     const PairedEngine& pair, const Scheduler& scheduler) {
   const StepCounts steps = count_steps(relaxation);
   fmt::print("{}: {} graph, {}, {}\n", start.input.file.string(),
              name_of(graph_kind_names, start.mesh_graph.kind),
@@ -128,11 +130,11 @@ std::string describe(const Disagreement& difference, const MeshGraph& mesh_graph
 }
 
 void verify_relaxation(const VerifyArguments& a, const Console& console) {
-  check_seeds(a.start.seeds);
+  check_seeds(a.start.seeds, a.start.seed_file);
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
   Threads threads(scheduler, a.engine.frontier);
-  const Start start = prepare(a.start, {}, threads, progress);
+  const PreparedInput start = prepare(a.start, {}, threads, progress);
   catch_interrupts();
   const Graph& graph = start.mesh_graph.graph;
   const auto reference = reference_runtime().make_engine(graph);
@@ -140,7 +142,8 @@ void verify_relaxation(const VerifyArguments& a, const Console& console) {
   PairedEngine pair(*reference, *parallel);
   Relaxation relaxation;
   try {
-    relaxation = relax(graph, pair, start.seeds, relaxation_options(a.start.seeds, a.relaxation),
+    relaxation = relax(graph, pair, start.seeds,
+                       relaxation_options(a.start.seeds, a.start.seed_file, a.relaxation),
                        [&](const Progress& p) {
                          progress.show(p, start.seeds.size());
                          return !interrupted();
@@ -214,11 +217,11 @@ void add_verify_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "verify", "Run both engines side by side and compare them at every step, node by node");
   const auto arguments = std::make_shared<VerifyArguments>();
-  add_mesh_argument(*command, arguments->start);
+  add_mesh_argument(*command, arguments->start.mesh);
   add_json_option(*command, console);
   add_vertices_option(*command, arguments->vertices,
                       "Verify a remesh with so many vertices instead of a relaxation");
-  add_seed_options(*command, arguments->start.seeds);
+  add_seed_options(*command, arguments->start.seeds, arguments->start.seed_file);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_frontier_option(*command, arguments->engine);

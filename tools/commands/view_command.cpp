@@ -26,7 +26,7 @@ namespace geolloyd {
 namespace {
 
 struct ViewArguments {
-  StartArguments start;
+  RunRequest start;
   std::optional<GreedyMode> greedy;
   ThreadArguments threads;
   std::filesystem::path output;
@@ -34,8 +34,10 @@ struct ViewArguments {
 };
 
 void check(const ViewArguments& arguments) {
-  const SeedArguments& seeds = arguments.start.seeds;
-  if (seeds.count != 0 || !seeds.file.empty()) check_seeds(seeds);
+  const RunRequest& start = arguments.start;
+  if (start.seeds.count != 0 || !start.seed_file.path.empty()) {
+    check_seeds(start.seeds, start.seed_file);
+  }
 }
 
 // Flushed: others read it through a pipe while the command goes on.
@@ -47,7 +49,7 @@ void print_address(const std::string& mesh, const std::string& address) {
 void run_view(const ViewArguments& arguments, const Console& console) {
   const ViewerAssets assets = viewer_assets();
   check(arguments);
-  const StartArguments& start = arguments.start;
+  const RunRequest& start = arguments.start;
   prepare_saving(arguments.output, start.files());
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler);
@@ -55,7 +57,8 @@ void run_view(const ViewArguments& arguments, const Console& console) {
   progress.stage("reading " + start.mesh.string());
   LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties, start.format});
   progress.stage("building the graph and choosing seeds");
-  SessionModel model(std::move(loaded), {start.graph, start.seeds, arguments.greedy},
+  SessionModel model(std::move(loaded),
+                     {start.graph, start.seeds, start.seed_file, arguments.greedy},
                      arguments.output, threads);
   progress.clear();
   catch_interrupts();
@@ -79,11 +82,11 @@ void add_view_command(CLI::App& program, Console& console) {
       program.add_subcommand("view", "Show a mesh in a browser: see its seeds move, and move them");
   const auto a = std::make_shared<ViewArguments>();
   a->start.has_properties = true;
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   folder_name(command->add_option("-o,--output", a->output,
                                   "Folder that results, pictures and pages are saved into"));
   command->add_flag("!--no-open", a->opens, "Print the address, and do not open a browser");
-  add_seed_options(*command, a->start.seeds);
+  add_seed_options(*command, a->start.seeds, a->start.seed_file);
   add_graph_options(*command, a->start.graph);
   add_choice(*command, "--greedy", a->greedy, greedy_choice_names,
              "Greedy phase before the precise phase; auto goes by --init");

@@ -89,17 +89,14 @@ void BatchRuns::check_ladder() const {
 
 // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
 MeshGraph BatchRuns::build_graph(GraphKind kind) {
-  GraphArguments graph = arguments_.start.graph;
+  GraphPlan graph = arguments_.start.graph;
   graph.kind = kind;
   const Input& input = loaded_.input;
-  bytes_of_run_ = estimate_memory(graph, input, loaded_.edges, 1,
-                                  {arguments_.engine.kind, false, {}, {}, false}, scheduler_);
+  bytes_of_run_ = estimate_memory(graph, {1, SeedInit::farthest}, input, loaded_.edges,
+                                  {arguments_.engine.kind}, scheduler_);
   progress_.announce_memory(input.file.string(), bytes_of_run_);
-  return make_mesh_graph(
-      input.mesh(), loaded_.edges,
-      {kind, graph.norm, find_field(graph, input.mesh(), loaded_.edges, scheduler_),
-       graph.averaging},
-      scheduler_);
+  return make_mesh_graph(input.mesh(), loaded_.edges,
+                         graph_options(graph, input.mesh(), loaded_.edges, scheduler_), scheduler_);
 }
 
 std::vector<BatchRow> BatchRuns::run_from(const MeshGraph& mesh_graph, std::size_t seeds) {

@@ -7,6 +7,7 @@
 #include "tools/cli/choice_option.h"
 #include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/experiment.h"
 #include "tools/laboratory/laboratory.h"
@@ -20,7 +21,7 @@ namespace geolloyd {
 namespace {
 
 struct CompareArguments {
-  StartArguments start;
+  RunRequest start;
   RelaxationArguments relaxation;
   std::vector<std::size_t> threads;  // none: 1, 2, 4... up to all the machine has
   std::vector<Frontier> frontiers = {Frontier::regions};
@@ -63,7 +64,7 @@ std::string table_of(const Comparison& comparison) {
   return table.text();
 }
 
-void print_comparison(const Start& start, const Comparison& comparison) {
+void print_comparison(const PreparedInput& start, const Comparison& comparison) {
   const StepCounts& steps = comparison.steps;
   print_heading(start);
   fmt::print("{}\n", table_of(comparison));
@@ -74,10 +75,12 @@ void print_comparison(const Start& start, const Comparison& comparison) {
              counted(steps.node_visits, "node visit", "node visits"));
 }
 
-Json result_of(const CompareArguments& a, const Start& start, const Comparison& comparison,
+Json result_of(const CompareArguments& a, const PreparedInput& start, const Comparison& comparison,
                const Json& rows) {
   Json result = begin_result("compare", start.input);
-  result["options"] = options_part(a.start, a.relaxation, start.seeds.size());
+  result["options"] =
+      options_part(a.start, relaxation_options(a.start.seeds, a.start.seed_file, a.relaxation),
+                   start.seeds.size());
   result["interrupted"] = interrupted();
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["seed_fit"] = seed_fit_part(start.seed_fit);
@@ -90,18 +93,19 @@ void run_compare(CompareArguments& arguments, const Console& console) {
   drop_repeats(arguments.threads);
   drop_repeats(arguments.frontiers);
   drop_repeats(arguments.backends);
-  check_seeds(arguments.start.seeds);
+  check_seeds(arguments.start.seeds, arguments.start.seed_file);
   check_same_course(arguments.relaxation);
   ProgressLine progress(console);
-  const Start start = [&] {
+  const PreparedInput start = [&] {
     Threads threads;
     return prepare(arguments.start, {}, threads, progress);
   }();
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments.output, "compare", arguments.start);
-  const Comparison comparison =
-      compare(contenders_of(arguments), arguments.turns, start.mesh_graph.graph, start.seeds,
-              relaxation_options(arguments.start.seeds, arguments.relaxation), progress);
+  const Comparison comparison = compare(
+      contenders_of(arguments), arguments.turns, start.mesh_graph.graph, start.seeds,
+      relaxation_options(arguments.start.seeds, arguments.start.seed_file, arguments.relaxation),
+      progress);
   progress.clear();
   const Json rows = rows_of(comparison);
   const Json result = result_of(arguments, start, comparison, rows);
@@ -125,9 +129,9 @@ void add_compare_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "compare", "Time the reference and the parallel engine, by threads, frontier and backend");
   const auto a = std::make_shared<CompareArguments>();
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   add_output_options(*command, a->output, "compare", console);
-  add_seed_options(*command, a->start.seeds);
+  add_seed_options(*command, a->start.seeds, a->start.seed_file);
   add_graph_options(*command, a->start.graph);
   add_relaxation_options(*command, a->relaxation);
   const char* group = "What to compare (lists, separated by commas; all combinations)";

@@ -36,12 +36,12 @@ void check_same_course(const RelaxationArguments& relaxation) {
 }
 
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const StartArguments& arguments) {
+                    const RunRequest& request) {
   if (output.folder.empty()) return;
   const std::string json = name + ".json";
   const std::string csv = name + ".csv";
   const std::array names = {json.c_str(), csv.c_str()};
-  prepare_folder(output.folder, names, arguments.files());
+  prepare_folder(output.folder, names, request.files());
 }
 
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

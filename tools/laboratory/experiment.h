@@ -29,7 +29,7 @@ void check_same_course(const RelaxationArguments& relaxation);
 
 /// Makes sure that the files can be written and would replace no input.
 void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const StartArguments& arguments);
+                    const RunRequest& request);
 
 /// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

@@ -4,10 +4,10 @@
 
 #include <utility>
 
+#include "core/course/prepared_run.h"
 #include "core/graph/components.h"
 #include "core/graph/mesh_graph.h"
 #include "core/seeds/seed_places.h"
-#include "core/start/first_seeds.h"
 #include "geolloyd/errors.h"
 #include "tools/words/facts_text.h"
 
@@ -37,7 +37,7 @@ void check_vertices(const std::vector<FirstSeeds>& all, const Mesh& mesh, const 
 
 }  // namespace
 
-std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
+std::vector<FirstSeeds> choose_first_seeds(const SeedPlan& how,
                                            const std::vector<std::size_t>& counts,
                                            std::size_t batches, const Mesh& mesh,
                                            const MeshEdges& edges, Runtime& runtime) {
@@ -50,12 +50,9 @@ std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
     check_count(count, made.graph.node_count(), components.size());
     for (std::size_t batch = 1; batch <= batches; ++batch) {
       FirstSeeds first{count, batch, {}};
-      const FirstSeedOptions seeds{how.init, count, how.random_seed + batch - 1, {}};
-      const std::vector<SeedPlace> places =
-          find_first_places(mesh, edges.duplicates, made.graph.node_count(), seeds, runtime);
-      for (const NodeId s : choose_first_seeds(mesh, places, made, components, seeds, runtime)) {
-        first.places.push_back(made.input_id[s]);
-      }
+      const SeedPlan plan{count, how.init, how.random_seed + batch - 1};
+      const GivenSeeds seeds = find_first_seeds(mesh, edges, {}, made, components, plan, runtime);
+      for (const NodeId s : seeds.nodes) first.places.push_back(made.input_id[s]);
       all.push_back(std::move(first));
     }
   }

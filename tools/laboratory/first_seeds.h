@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/course/run_plan.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/runtime.h"
-#include "tools/cli/relax_arguments.h"
 
 namespace geolloyd {
 
@@ -18,7 +18,7 @@ struct FirstSeeds {
 
 /// For each number of seeds so many batches, each of them chosen on the triangle graph by a random
 /// seed of its own. Throws InvalidInput where a batch cannot have so many seeds in each graph.
-std::vector<FirstSeeds> choose_first_seeds(const SeedArguments& how,
+std::vector<FirstSeeds> choose_first_seeds(const SeedPlan& how,
                                            const std::vector<std::size_t>& counts,
                                            std::size_t batches, const Mesh& mesh,
                                            const MeshEdges& edges, Runtime& runtime);

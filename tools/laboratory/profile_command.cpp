@@ -8,6 +8,7 @@
 
 #include "tools/cli/choice_option.h"
 #include "tools/cli/format_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/experiment.h"
 #include "tools/laboratory/laboratory.h"
 #include "tools/laboratory/measured_run.h"
@@ -22,7 +23,7 @@ namespace geolloyd {
 namespace {
 
 struct ProfileArguments {
-  StartArguments start;
+  RunRequest start;
   RelaxationArguments relaxation;
   EngineArguments engine;  // its frontier
   ThreadArguments threads;
@@ -83,7 +84,7 @@ std::string search_line(const EngineProfile& profile) {
   return line;
 }
 
-void print_profiles(const Start& start, const std::vector<EngineProfile>& profiles) {
+void print_profiles(const PreparedInput& start, const std::vector<EngineProfile>& profiles) {
   const Relaxation& relaxation = profiles.front().run.relaxation;
   const StepCounts steps = count_steps(relaxation);
   print_heading(start);
@@ -111,10 +112,13 @@ Json json_of(const EngineProfile& profile, const ProfileArguments& a) {
 }
 
 // What --json prints, written, too.
-Json write_profiles(const ProfileArguments& arguments, const Start& start,
+Json write_profiles(const ProfileArguments& arguments, const PreparedInput& start,
                     const std::vector<EngineProfile>& profiles) {
   Json result = begin_result("profile", start.input);
-  result["options"] = options_part(arguments.start, arguments.relaxation, start.seeds.size());
+  result["options"] = options_part(
+      arguments.start,
+      relaxation_options(arguments.start.seeds, arguments.start.seed_file, arguments.relaxation),
+      start.seeds.size());
   result["interrupted"] = interrupted();
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["seed_fit"] = seed_fit_part(start.seed_fit);
@@ -131,16 +135,17 @@ Json write_profiles(const ProfileArguments& arguments, const Start& start,
   return result;
 }
 
-std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, const Start& start,
-                                           Scheduler& scheduler, ProgressLine& progress) {
+std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments,
+                                           const PreparedInput& start, Scheduler& scheduler,
+                                           ProgressLine& progress) {
   std::vector<EngineProfile> profiles;
   for (const EngineKind engine : arguments.engines) {
     progress.part(name_of(engine_names, engine) + ":");
     const auto runtime = make_runtime(engine, arguments.engine.frontier, scheduler);
-    MeasuredRun measured =
-        measure_run(start.mesh_graph.graph, start.seeds,
-                    relaxation_options(arguments.start.seeds, arguments.relaxation),
-                    watcher(progress, start.seeds.size()), *runtime);
+    MeasuredRun measured = measure_run(
+        start.mesh_graph.graph, start.seeds,
+        relaxation_options(arguments.start.seeds, arguments.start.seed_file, arguments.relaxation),
+        watcher(progress, start.seeds.size()), *runtime);
     const std::size_t threads = engine == EngineKind::reference ? 1 : scheduler.threads();
     profiles.push_back({engine, threads, std::move(measured)});
     if (interrupted()) break;
@@ -150,12 +155,12 @@ std::vector<EngineProfile> profile_engines(const ProfileArguments& arguments, co
 
 void run_profile(ProfileArguments& arguments, const Console& console) {
   drop_repeats(arguments.engines);
-  check_seeds(arguments.start.seeds);
+  check_seeds(arguments.start.seeds, arguments.start.seed_file);
   check_same_course(arguments.relaxation);
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler);
-  const Start start = prepare(arguments.start, {}, threads, progress);
+  const PreparedInput start = prepare(arguments.start, {}, threads, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
   prepare_output(arguments.output, "profile", arguments.start);
   const auto profiles = profile_engines(arguments, start, scheduler, progress);
@@ -176,10 +181,10 @@ void add_profile_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "profile", "Show where the time goes, by phase and kernel, in both engines");
   const auto a = std::make_shared<ProfileArguments>();
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   add_output_options(*command, a->output, "profile", console);
   add_choice_list(*command, "--engines", a->engines, engine_names, "Engines, separated by commas");
-  add_seed_options(*command, a->start.seeds);
+  add_seed_options(*command, a->start.seeds, a->start.seed_file);
   add_graph_options(*command, a->start.graph);
   add_relaxation_options(*command, a->relaxation);
   add_frontier_option(*command, a->engine);

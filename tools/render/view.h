@@ -27,6 +27,12 @@ struct Size {
   int height = 0;
 };
 
+/// How pictures look, unless they are told otherwise.
+struct PictureLook {
+  View view{25, 15};
+  Size size{1280, 0};
+};
+
 /// "WIDTH" or "WIDTHxHEIGHT", each from 64 to 8192. Throws InvalidInput.
 Size parse_size(const std::string& text);
 

@@ -35,7 +35,7 @@ void write_regions(const MeshGraph& mesh_graph, const JudgedPartition& judged, F
   }
 }
 
-void write_seeds(const Start& start, const GroundTruth& truth, FileWriter& out) {
+void write_seeds(const PreparedInput& start, const GroundTruth& truth, FileWriter& out) {
   out.text(
       "input_id,kind,x,y,z,area,centroid_x,centroid_y,centroid_z,surface_x,surface_y,surface_z,"
       "distance\n");
@@ -49,9 +49,12 @@ void write_seeds(const Start& start, const GroundTruth& truth, FileWriter& out) 
   }
 }
 
-Json result_of(const StartArguments& arguments, const Start& start, const JudgedPartition& judged) {
+Json result_of(const RunRequest& request, const PreparedInput& start,
+               const JudgedPartition& judged) {
   Json result = begin_result("ground-truth", start.input);
-  result["options"] = options_part(arguments, {}, start.seeds.size());
+  RelaxationOptions options;
+  options.greedy = greedy_mode({}, !request.seed_file.path.empty(), request.seeds.init);
+  result["options"] = options_part(request, options, start.seeds.size());
   result["graph"] = graph_part(start.mesh_graph.graph, start.components);
   result["seed_fit"] = seed_fit_part(start.seed_fit);
   result["ground_truth"] = ground_truth_part(judged.truth);
@@ -93,14 +96,13 @@ Json ground_truth_part(const GroundTruth& truth) {
           {"graph_energy_ratio_hexagonal", truth.graph_energy / truth.hexagonal}};
 }
 
-void prepare_ground_truth_output(const std::filesystem::path& folder,
-                                 const StartArguments& arguments) {
-  if (!folder.empty()) prepare_folder(folder, ground_truth_names, arguments.files());
+void prepare_ground_truth_output(const std::filesystem::path& folder, const RunRequest& request) {
+  if (!folder.empty()) prepare_folder(folder, ground_truth_names, request.files());
 }
 
-std::string write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
-                               const Start& start, const JudgedPartition& judged) {
-  const std::string report = json_text(result_of(arguments, start, judged));
+std::string write_ground_truth(const std::filesystem::path& folder, const RunRequest& request,
+                               const PreparedInput& start, const JudgedPartition& judged) {
+  const std::string report = json_text(result_of(request, start, judged));
   if (!folder.empty()) {
     FileGroup files(folder, ground_truth_names);
     write_regions(start.mesh_graph, judged, files[0]);

@@ -27,13 +27,12 @@ struct JudgedPartition {
 
 /// Makes the folder of the command `ground-truth`, if it is named, and makes sure that the results
 /// can be written and would replace no input. Throws Error.
-void prepare_ground_truth_output(const std::filesystem::path& folder,
-                                 const StartArguments& arguments);
+void prepare_ground_truth_output(const std::filesystem::path& folder, const RunRequest& request);
 
 /// ground-truth-regions.csv: a line per input id. ground-truth-seeds.csv: a line per region.
 /// ground-truth.json, the last to appear. No file where no folder is named. Returns the text of
 /// ground-truth.json.
-std::string write_ground_truth(const std::filesystem::path& folder, const StartArguments& arguments,
-                               const Start& start, const JudgedPartition& judged);
+std::string write_ground_truth(const std::filesystem::path& folder, const RunRequest& request,
+                               const PreparedInput& start, const JudgedPartition& judged);
 
 }  // namespace geolloyd

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/base/loops.h"
@@ -26,15 +27,15 @@ namespace {
 constexpr std::array<const char*, 5> relax_names = {"tessellation.ply", "seeds.csv", "regions.csv",
                                                     "dual.ply", "report.json"};
 
-std::filesystem::path path_of(const RelaxArguments& arguments, RelaxOutput output) {
-  return arguments.output / relax_names[static_cast<std::size_t>(output)];
+std::filesystem::path path_of(const RelaxTargets& targets, RelaxOutput output) {
+  return targets.folder / relax_names[static_cast<std::size_t>(output)];
 }
 
 // In their order, wherever they were named.
-std::vector<std::filesystem::path> wanted_files(const RelaxArguments& arguments) {
+std::vector<std::filesystem::path> wanted_files(const RelaxTargets& targets) {
   std::vector<std::filesystem::path> paths;
   for (const RelaxOutput output : values_of(relax_output_names)) {
-    if (arguments.writes(output)) paths.push_back(path_of(arguments, output));
+    if (targets.writes(output)) paths.push_back(path_of(targets, output));
   }
   return paths;
 }
@@ -67,58 +68,59 @@ void write_regions_csv(const MeshGraph& mesh_graph, const Partition& partition, 
 
 void write_dual(const Result& result, FileWriter& out) {
   const Mesh& mesh = result.dual->mesh;
-  if (result.quads) {
-    write_faces_ply(out, mesh, result.quads->faces, result.dual_properties);
+  if (result.dual->quads) {
+    write_faces_ply(out, mesh, result.dual->quads->faces, result.dual->properties);
   } else {
-    write(out, mesh, result.dual_properties);
+    write(out, mesh, result.dual->properties);
   }
 }
 
 }  // namespace
 
-void prepare_output(const RelaxArguments& arguments) {
-  std::vector<std::filesystem::path> others = arguments.start.files();
-  prepare_folder(arguments.output, relax_names, others);
-  check_target(checkpoint_path(arguments.output), others);
-  if (!arguments.frames.empty()) prepare_frames(arguments);
-  for (const char* name : relax_names) others.push_back(arguments.output / name);
-  others.push_back(checkpoint_path(arguments.output));
-  if (!arguments.page_file.empty()) {
-    check_target(arguments.page_file, others);
-    others.push_back(arguments.page_file);
+void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::path> inputs,
+                    bool is_resumed) {
+  std::vector<std::filesystem::path> others = std::move(inputs);
+  prepare_folder(targets.folder, relax_names, others);
+  check_target(checkpoint_path(targets.folder), others);
+  if (!targets.frames.empty()) prepare_frames(targets.frames, is_resumed);
+  for (const char* name : relax_names) others.push_back(targets.folder / name);
+  others.push_back(checkpoint_path(targets.folder));
+  if (!targets.page_file.empty()) {
+    check_target(targets.page_file, others);
+    others.push_back(targets.page_file);
   }
-  if (!arguments.vtp_file.empty()) {
-    check_vtp_target(arguments.vtp_file, others);
-    others.push_back(arguments.vtp_file);
+  if (!targets.vtp_file.empty()) {
+    check_vtp_target(targets.vtp_file, others);
+    others.push_back(targets.vtp_file);
   }
-  if (arguments.picture_file.empty()) return;
-  check_target(arguments.picture_file, others);
+  if (targets.picture_file.empty()) return;
+  check_target(targets.picture_file, others);
   std::error_code error;
-  if (!arguments.frames.empty() &&
+  if (!targets.frames.empty() &&
       std::filesystem::equivalent(
-          std::filesystem::absolute(arguments.picture_file, error).parent_path(), arguments.frames,
+          std::filesystem::absolute(targets.picture_file, error).parent_path(), targets.frames,
           error)) {
-    throw InvalidInput(arguments.picture_file.string() +
+    throw InvalidInput(targets.picture_file.string() +
                        ": is in the folder of the frames: give another place");
   }
 }
 
-std::vector<std::string> names_of_results(const RelaxArguments& arguments) {
+std::vector<std::string> names_of_results(const RelaxTargets& targets) {
   std::vector<std::string> names;
-  for (const std::filesystem::path& path : wanted_files(arguments)) {
+  for (const std::filesystem::path& path : wanted_files(targets)) {
     names.push_back(path.filename().string());
   }
   return names;
 }
 
-ResultFiles::ResultFiles(const RelaxArguments& arguments)
-    : arguments_(arguments), files_(wanted_files(arguments)) {}
+ResultFiles::ResultFiles(const RelaxTargets& targets)
+    : targets_(targets), files_(wanted_files(targets)) {}
 
 FileWriter* ResultFiles::find(RelaxOutput output) {
-  if (!arguments_.writes(output)) return nullptr;
+  if (!targets_.writes(output)) return nullptr;
   std::size_t place = 0;
   for (const RelaxOutput other : values_of(relax_output_names)) {
-    if (other < output && arguments_.writes(other)) ++place;
+    if (other < output && targets_.writes(other)) ++place;
   }
   return &files_[place];
 }
@@ -130,9 +132,9 @@ std::vector<std::string> ResultFiles::commit() {
   std::vector<RelaxOutput> outputs = values_of(relax_output_names);
   std::reverse(outputs.begin(), outputs.end());
   for (const RelaxOutput output : outputs) {
-    const std::filesystem::path path = path_of(arguments_, output);
+    const std::filesystem::path path = path_of(targets_, output);
     std::error_code error;
-    if (arguments_.writes(output) || !std::filesystem::exists(path, error)) continue;
+    if (targets_.writes(output) || !std::filesystem::exists(path, error)) continue;
     remove_file(path);
     removed.insert(removed.begin(), path.filename().string());
   }
@@ -140,7 +142,7 @@ std::vector<std::string> ResultFiles::commit() {
   return removed;
 }
 
-void write_results(const Start& start, const Result& result, ResultFiles& files,
+void write_results(const PreparedInput& start, const Result& result, ResultFiles& files,
                    Executor& executor) {
   const MeshGraph& mesh_graph = start.mesh_graph;
   const Partition& partition = result.relaxation.partition;
@@ -174,9 +176,9 @@ void write_results(const Start& start, const Result& result, ResultFiles& files,
       });
 }
 
-void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
-                   const Start& start, const Relaxation& relaxation, Executor& executor) {
-  const Picture picture(start.input.mesh(), arguments.view, arguments.size, 1, false, executor);
+void write_picture(const std::filesystem::path& path, const PictureLook& look,
+                   const PreparedInput& start, const Relaxation& relaxation, Executor& executor) {
+  const Picture picture(start.input.mesh(), look.view, look.size, 1, false, executor);
   const std::vector<Colour> colours =
       colours_of_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds.size());
   const Canvas canvas =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,18 +11,34 @@
 
 namespace geolloyd {
 
+/// Where the results of `relax` go.
+struct RelaxTargets {
+  std::filesystem::path folder;
+  std::vector<RelaxOutput> only = values_of(relax_output_names);  ///< what goes there
+  std::filesystem::path picture_file;                             ///< empty: none
+  std::filesystem::path frames;                                   ///< a folder; empty: none
+  std::filesystem::path page_file;                                ///< empty: none
+  std::filesystem::path vtp_file;                                 ///< empty: none
+
+  [[nodiscard]] bool writes(RelaxOutput what) const {
+    return std::find(only.begin(), only.end(), what) != only.end();
+  }
+};
+
 /// Makes the folder and makes sure that the results and the picture can be written, before hours of
-/// work depend on it, and that none of them would replace the mesh, the field or the file of the
-/// first seeds. Throws Error.
-void prepare_output(const RelaxArguments& arguments);
+/// work depend on it, and that none of them would replace one of the `inputs`. `is_resumed`: there
+/// are frames already. Throws Error.
+void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::path> inputs,
+                    bool is_resumed);
 
 /// The names of the files that are wanted, in the order in which they appear.
-std::vector<std::string> names_of_results(const RelaxArguments& arguments);
+std::vector<std::string> names_of_results(const RelaxTargets& targets);
 
 /// The files of the results that are wanted. Those of an earlier run stay until commit().
 class ResultFiles {
  public:
-  explicit ResultFiles(const RelaxArguments& arguments);
+  /// `targets` must live on.
+  explicit ResultFiles(const RelaxTargets& targets);
 
   /// Null: not wanted.
   [[nodiscard]] FileWriter* find(RelaxOutput output);
@@ -30,7 +47,7 @@ class ResultFiles {
   std::vector<std::string> commit();
 
  private:
-  const RelaxArguments& arguments_;
+  const RelaxTargets& targets_;
   FileGroup files_;
 };
 
@@ -39,11 +56,11 @@ class ResultFiles {
 /// a line per region. regions.csv: a line per input id. dual.ply: a vertex per region, those of
 /// added seeds last.
 /// Writes those of them that are wanted.
-void write_results(const Start& start, const Result& result, ResultFiles& files,
+void write_results(const PreparedInput& start, const Result& result, ResultFiles& files,
                    Executor& executor);
 
 /// The regions, in the colours of tessellation.ply.
-void write_picture(const std::filesystem::path& path, const PictureArguments& arguments,
-                   const Start& start, const Relaxation& relaxation, Executor& executor);
+void write_picture(const std::filesystem::path& path, const PictureLook& look,
+                   const PreparedInput& start, const Relaxation& relaxation, Executor& executor);
 
 }  // namespace geolloyd

@@ -330,7 +330,7 @@ Json remesh_options_part(const RemeshArguments& a, std::size_t threads) {
            a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
           {"vfield", a.field.vfield.string()},
           {"repair", a.repair.is_wanted},
-          {"fill_holes", fill_holes_part(a.repair)},
+          {"fill_holes", fill_holes_part(a.repair.wanted())},
           {"features", name_of_creases(a.features)},
           {"feature_edges", a.features.edges_file.string()},
           {"feature_labels", a.features.labels},
@@ -344,7 +344,7 @@ Json remesh_options_part(const RemeshArguments& a, std::size_t threads) {
 
 void write_remesh_picture(const RemeshArguments& arguments, const Mesh& remesh,
                           const SurfaceColours& colours, Scheduler& scheduler) {
-  const PictureArguments& look = arguments.picture;
+  const PictureLook& look = arguments.picture;
   const Picture picture(remesh, look.view, look.size, 1, false, scheduler);
   const Canvas canvas = paint_mesh(picture.scene(), scheduler, colours);
   const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};

@@ -12,12 +12,11 @@
 namespace geolloyd {
 namespace {
 
-Json engine_part(const RelaxArguments& a, std::size_t threads) {
-  const EngineKind kind = a.engine.kind;
-  return {{"engine", name_of(engine_names, kind)},
+Json engine_part(const RelaxFacts& facts, std::size_t threads) {
+  return {{"engine", name_of(engine_names, facts.engine)},
           {"threads", threads},
-          {"frontier", frontier_part(kind, a.engine.frontier)},
-          {"backend", backend_part(kind, a.threads.backend)}};
+          {"frontier", frontier_part(facts.engine, facts.frontier)},
+          {"backend", backend_part(facts.engine, facts.backend)}};
 }
 
 Json resumed_part(const std::optional<EarlierPart>& resumed) {
@@ -46,21 +45,21 @@ Json trace_part(const Relaxation& relaxation) {
   return trace;
 }
 
-Json options_part(const RelaxArguments& a, const Result& result) {
-  Json part = engine_part(a, result.threads);
-  part.update(options_part(a.start, a.relaxation, result.regions.size()));
-  part["repair"] = a.start.repair.is_wanted;
-  part["fill_holes"] = fill_holes_part(a.start.repair);
-  part["drop"] = !a.start.has_properties;
-  part["manifold"] = a.dual.manifold;
-  part["dual_vertices"] = name_of(dual_vertices_names, a.dual.vertices);
+Json options_part(const RelaxFacts& facts, const Result& result) {
+  Json part = engine_part(facts, result.threads);
+  part.update(options_part(facts.request, facts.options, result.regions.size()));
+  part["repair"] = facts.request.repair.has_value();
+  part["fill_holes"] = fill_holes_part(facts.request.repair);
+  part["drop"] = !facts.request.has_properties;
+  part["manifold"] = facts.dual.manifold;
+  part["dual_vertices"] = name_of(dual_vertices_names, facts.dual.vertices);
   return part;
 }
 
-Json seconds_part(const Start::Seconds& start, const Cost& cost) {
-  return {{"load", start.load},
-          {"graph", start.graph},
-          {"seeds", start.seeds},
+Json seconds_part(const PreparedInput& start, const Cost& cost) {
+  return {{"load", start.load_seconds},
+          {"graph", start.seconds.graph},
+          {"seeds", start.seconds.seeds},
           {"relax", cost.relax_seconds},
           {"ground_truth", cost.ground_truth_seconds},
           {"dual", cost.dual_seconds},
@@ -76,7 +75,7 @@ double hexagonal_energy(std::span<const RegionSummary> regions, const MeshFacts&
   return hexagonal_energy(mass, facts.area, regions.size());
 }
 
-std::string report_text(const RelaxArguments& arguments, const Start& start, const Result& result,
+std::string report_text(const RelaxFacts& facts, const PreparedInput& start, const Result& result,
                         const Cost& cost) {
   const Relaxation& relaxation = result.relaxation;
   Json report;
@@ -84,7 +83,7 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["machine"] = machine_part();
   report["input"] = mesh_part(start.input);
   report["repairs"] = repairs_part(start.input.repairs);
-  report["options"] = options_part(arguments, result);
+  report["options"] = options_part(facts, result);
   report["graph"] = graph_part(start.mesh_graph.graph, start.components);
   report["seed_fit"] = seed_fit_part(start.seed_fit);
   report["end"] = name_of(stop_reason_names, relaxation.stop_reason);
@@ -101,11 +100,11 @@ std::string report_text(const RelaxArguments& arguments, const Start& start, con
   report["isoperimetric_ratio"] = {{"mean", result.dual->roundness.mean},
                                    {"min", result.dual->roundness.min}};
   report["dual"] = dual_part(*result.dual);
-  report["quads"] = quads_part(result.quads);
-  report["properties"] = properties_part(result.dual_properties);
+  report["quads"] = quads_part(result.dual->quads);
+  report["properties"] = properties_part(result.dual->properties);
   if (result.ground_truth) report["ground_truth"] = ground_truth_part(*result.ground_truth);
   report["fingerprint"] = fingerprint_text(relaxation.fingerprint);
-  report["seconds"] = seconds_part(start.seconds, cost);
+  report["seconds"] = seconds_part(start, cost);
   report["memory_estimate_bytes"] = start.memory_estimate;
   report["peak_memory_bytes"] = cost.peak_memory_bytes;
   report["trace"] = trace_part(relaxation);

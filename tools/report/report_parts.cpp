@@ -7,6 +7,7 @@
 
 #include "tools/system/build_facts.h"
 #include "tools/system/machine.h"
+#include "tools/words/facts_text.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {
@@ -21,7 +22,7 @@ Json path_or_null(const std::filesystem::path& path) {
 }
 
 // Of a field there may not be.
-Json averaging_part(const GraphArguments& graph) {
+Json averaging_part(const GraphPlan& graph) {
   if (graph.vfield.empty()) return nullptr;
   return name_of(averaging_names, graph.averaging.value_or(suggested_averaging(graph.norm)));
 }
@@ -87,8 +88,8 @@ Json repairs_part(const std::optional<Repairs>& repairs) {
           {"unused_vertices", repairs->unused_vertices}};
 }
 
-Json fill_holes_part(const RepairArguments& repair) {
-  return repair.is_wanted ? Json(name_of_hole_size(repair.options)) : Json(nullptr);
+Json fill_holes_part(const std::optional<RepairOptions>& repair) {
+  return repair ? Json(name_of_hole_size(*repair)) : Json(nullptr);
 }
 
 Json graph_part(const Graph& graph, std::size_t components) {
@@ -132,19 +133,20 @@ Json kernel_seconds_part(const KernelSeconds& seconds) {
   return part;
 }
 
-Json options_part(const StartArguments& start, const RelaxationArguments& relaxation,
-                  std::size_t seeds) {
-  const SeedArguments& first = start.seeds;
-  const RelaxationOptions options = relaxation_options(first, relaxation);
-  return {{"graph", name_of(graph_kind_names, start.graph.kind)},
-          {"norm", name_of(norm_names, start.graph.norm)},
-          {"vfield", path_or_null(start.graph.vfield)},
-          {"averaging", averaging_part(start.graph)},
+Json options_part(const RunRequest& request, const RelaxationOptions& options, std::size_t seeds) {
+  const GraphPlan& graph = request.graph;
+  const SeedPlan& chosen = request.seeds;
+  const SeedFile& file = request.seed_file;
+  const bool are_given = !file.path.empty();
+  return {{"graph", name_of(graph_kind_names, graph.kind)},
+          {"norm", name_of(norm_names, graph.norm)},
+          {"vfield", path_or_null(graph.vfield)},
+          {"averaging", averaging_part(graph)},
           {"seeds", seeds},
-          {"seeds_file", path_or_null(first.file)},
-          {"by", first.file.empty() ? Json(nullptr) : Json(name_of(seeds_by_names, first.by))},
-          {"init", first.file.empty() ? Json(name_of(seed_init_names, first.init)) : Json(nullptr)},
-          {"random_seed", first.random_seed},
+          {"seeds_file", path_or_null(file.path)},
+          {"by", are_given ? Json(name_of(seeds_by_names, file.by)) : Json(nullptr)},
+          {"init", are_given ? Json(nullptr) : Json(name_of(seed_init_names, chosen.init))},
+          {"random_seed", chosen.random_seed},
           {"greedy", name_of(greedy_mode_names, options.greedy)},
           {"microstep_skip", options.microstep_skip},
           {"macrostep_skip", options.macrostep_skip},

@@ -9,9 +9,8 @@
 #include "core/graph/mesh_graph.h"
 #include "core/lloyd/relaxation.h"
 #include "core/mesh/mesh_topology.h"
-#include "tools/cli/relax_arguments.h"
 #include "tools/files/json.h"
-#include "tools/run/input.h"
+#include "tools/run/stages.h"
 
 namespace geolloyd {
 
@@ -24,15 +23,14 @@ Json mesh_part(const Input& input);
 /// Null where no repair was asked for.
 Json repairs_part(const std::optional<Repairs>& repairs);
 /// As --fill-holes has it; null without a repair.
-Json fill_holes_part(const RepairArguments& repair);
+Json fill_holes_part(const std::optional<RepairOptions>& repair);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
 /// The names of what was carried over, and what was left out.
 Json properties_part(const Properties& carried);
 Json kernel_seconds_part(const KernelSeconds& seconds);
 /// The options in force, but for the engine's: of --greedy auto, the mode chosen.
-Json options_part(const StartArguments& start, const RelaxationArguments& relaxation,
-                  std::size_t seeds);
+Json options_part(const RunRequest& request, const RelaxationOptions& options, std::size_t seeds);
 /// The reference engine has neither frontier nor backend: null.
 Json frontier_part(EngineKind engine, Frontier frontier);
 Json backend_part(EngineKind engine, Backend backend);

@@ -50,7 +50,8 @@ void check_vtp_target(const std::filesystem::path& path,
   check_target(path, others);
 }
 
-void write_vtp(const std::filesystem::path& path, const Start& start, const Partition& partition) {
+void write_vtp(const std::filesystem::path& path, const PreparedInput& start,
+               const Partition& partition) {
   const MeshGraph& mesh_graph = start.mesh_graph;
   const Mesh& mesh = start.input.mesh();
   const std::size_t vertices = has_vertices(mesh_graph.kind) ? mesh.vertex_count() : 0;

@@ -16,6 +16,7 @@ void check_vtp_target(const std::filesystem::path& path,
 /// `region` is -1 and `distance`, which is that along the graph to the seed in mesh units, is not a
 /// number where there is no region. The mesh's own properties follow; those of these names are
 /// input_region and input_distance.
-void write_vtp(const std::filesystem::path& path, const Start& start, const Partition& partition);
+void write_vtp(const std::filesystem::path& path, const PreparedInput& start,
+               const Partition& partition);
 
 }  // namespace geolloyd

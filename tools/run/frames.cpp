@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <numeric>
 #include <string>
 #include <system_error>
+#include <utility>
 
-#include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
@@ -18,7 +17,7 @@
 namespace geolloyd {
 namespace {
 
-std::string frame_name(std::uint32_t number, Phase phase) {
+std::string frame_name(std::size_t number, Phase phase) {
   return fmt::format("{:03}-{}.png", number, name_of(phase_names, phase));
 }
 
@@ -34,15 +33,15 @@ bool is_frame_name(const std::string& name) {
 
 }  // namespace
 
-void prepare_frames(const RelaxArguments& arguments) {
+void prepare_frames(const std::filesystem::path& folder, bool is_resumed) {
   const std::string first = frame_name(0, Phase::greedy);
   const std::array<const char*, 1> names = {first.c_str()};
   const std::vector<std::filesystem::path> others;
-  prepare_folder(arguments.frames, names, others);
-  if (arguments.resume) return;
+  prepare_folder(folder, names, others);
+  if (is_resumed) return;
   std::error_code error;
-  const std::filesystem::directory_iterator entries(arguments.frames, error);
-  if (error) throw IoError(arguments.frames.string() + ": cannot read: " + error.message());
+  const std::filesystem::directory_iterator entries(folder, error);
+  if (error) throw IoError(folder.string() + ": cannot read: " + error.message());
   for (const auto& entry : entries) {
     if (!is_frame_name(entry.path().filename().string())) continue;
     throw InvalidInput(entry.path().string() +
@@ -50,48 +49,25 @@ void prepare_frames(const RelaxArguments& arguments) {
   }
 }
 
-FramesEngine::FramesEngine(Engine& engine, const RelaxArguments& arguments, const Start& start,
-                           Executor& executor, std::span<const Step> steps)
-    : engine_(engine),
-      folder_(arguments.frames),
-      mesh_graph_(start.mesh_graph),
-      executor_(executor),
-      picture_(start.input.mesh(), arguments.picture.view, arguments.picture.size, 1, true,
-               executor),
-      frames_(static_cast<std::uint32_t>(steps.size())),
-      greedy_frames_(static_cast<std::uint32_t>(
-          std::count_if(steps.begin(), steps.end(),
-                        [](const Step& step) { return step.phase == Phase::greedy; }))) {
-  engine_.partition(start.seeds);
-  colours_ = colours_of_regions(mesh_graph_.graph, engine_.current(), start.seeds.size());
-}
+Frames::Frames(std::filesystem::path folder, const PictureLook& look, const PreparedInput& run,
+               Runtime& runtime)
+    : folder_(std::move(folder)),
+      mesh_graph_(run.mesh_graph),
+      executor_(runtime.executor()),
+      picture_(run.input.mesh(), look.view, look.size, 1, true, executor_),
+      colours_(colours_of_regions(mesh_graph_.graph,
+                                  partition_seeds(mesh_graph_.graph, run.seeds, runtime).partition,
+                                  run.seeds.size())) {}
 
-std::vector<NodeId> FramesEngine::greedy_candidates(std::span<const NodeId> seeds, bool extended) {
-  draw(seeds, Phase::greedy);
-  ++greedy_frames_;
-  return engine_.greedy_candidates(seeds, extended);
-}
-
-std::vector<Microstep> FramesEngine::macrostep(std::vector<NodeId>& seeds,
-                                               const MacrostepOptions& options,
-                                               const KeepGoing& keep_going) {
-  draw(seeds, Phase::precise);
-  return engine_.macrostep(seeds, options, keep_going);
-}
-
-void FramesEngine::draw(std::span<const NodeId> seeds, Phase phase) {
-  const std::span<const Score> scores = region_scores();
-  const double energy =
-      to_energy(mesh_graph_.graph, std::accumulate(scores.begin(), scores.end(), Score{0}));
-  const std::uint32_t step = frames_ - (phase == Phase::precise ? greedy_frames_ : 0);
+void Frames::draw(const StepStart& step) const {
+  const std::string phase = name_of(phase_names, step.phase);
   const std::string caption =
-      fmt::format("{} step {}, energy {:.5g}", name_of(phase_names, phase), step + 1, energy);
-  const Canvas canvas =
-      paint_regions({mesh_graph_, current(), seeds, colours_}, picture_.scene(), executor_);
+      fmt::format("{} step {}, energy {:.5g}", phase, step.number, step.energy);
+  const Canvas canvas = paint_regions({mesh_graph_, step.partition, step.seeds, colours_},
+                                      picture_.scene(), executor_);
   const std::array<PanelImage, 1> panels = {
       {{to_pixels(picture_.scene(), canvas, executor_), caption}}};
-  picture_.write(folder_ / frame_name(frames_, phase), panels);
-  ++frames_;
+  picture_.write(folder_ / frame_name(step.steps_before, step.phase), panels);
 }
 
 }  // namespace geolloyd

@@ -78,15 +78,15 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOpti
 }
 
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
-                       const InputOptions& options, const RepairArguments& repair) {
+                       const InputOptions& options, const std::optional<RepairOptions>& repair) {
   LoadedInput loaded;
   const Stopwatch watch;
   loaded.input.file = file;
   loaded.input.loaded = read_within_limits(file, options);
-  if (repair.is_wanted) {
+  if (repair) {
     Mesh& given = loaded.input.loaded.mesh;
     require_memory(file.string(), memory_to_repair(given.vertex_count(), given.triangle_count()));
-    RepairedMesh repaired = make_repaired_mesh(given, repair.options, executor);
+    RepairedMesh repaired = make_repaired_mesh(given, *repair, executor);
     Properties& properties = loaded.input.loaded.properties;
     properties =
         follow_origins(properties, repaired.mesh, repaired.vertex_origin, repaired.triangle_origin);

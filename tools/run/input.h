@@ -9,7 +9,6 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/repair/repair.h"
-#include "tools/cli/repair_arguments.h"
 
 namespace geolloyd {
 
@@ -44,6 +43,7 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOpti
 
 /// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
-                       const InputOptions& options = {}, const RepairArguments& repair = {});
+                       const InputOptions& options = {},
+                       const std::optional<RepairOptions>& repair = {});
 
 }  // namespace geolloyd

@@ -33,7 +33,7 @@ struct QualityRecord {
 struct QualityInput {
   std::filesystem::path remesh;
   std::filesystem::path original;  ///< empty: the remesh is judged alone
-  std::filesystem::path vfield;    ///< of the original, as --vfield has it; empty: none
+  FieldSource field;               ///< of the original
   std::size_t samples = 0;         ///< on each of the two
   std::optional<MeshFormat> format = {};  ///< of a mesh whose name does not tell it
 };

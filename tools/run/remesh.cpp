@@ -139,7 +139,7 @@ LoadedInput load_surface(const std::filesystem::path& file, Scheduler& scheduler
                          ProgressLine& progress, const InputOptions& options,
                          const RepairArguments& repair) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, scheduler, options, repair);
+  LoadedInput loaded = load_input(file, scheduler, options, repair.wanted());
   if (!(loaded.input.facts.area > 0)) {
     throw InvalidInput(file.string() + ": no triangle with an area, so nothing to remesh");
   }
@@ -199,7 +199,7 @@ std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& optio
 
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
-                                     const std::optional<PictureArguments>& picture,
+                                     const std::optional<PictureLook>& picture,
                                      Executor& scheduler) {
   const Mesh& mesh = input.mesh();
   RemeshSize size;

@@ -39,8 +39,7 @@ std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& optio
 /// Bytes, of the whole run, with a picture if one will be drawn.
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
-                                     const std::optional<PictureArguments>& picture,
-                                     Executor& executor);
+                                     const std::optional<PictureLook>& picture, Executor& executor);
 
 /// A surface remesh, and how long its parts took.
 struct TimedRemesh {

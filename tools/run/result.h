@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
-#include "core/mesh/quad_pairs.h"
 #include "core/regions/tessellation.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/run/dual.h"
@@ -19,9 +18,7 @@ struct Result {
   std::size_t threads = 0;  ///< of the relaxation
   std::optional<EarlierPart> resumed;
   std::optional<GroundTruth> ground_truth;
-  std::optional<GraphDual> dual;
-  std::optional<QuadPairs> quads;  ///< of the dual, if they were wanted
-  Properties dual_properties;
+  std::optional<MadeDual> dual;
   std::vector<RegionSummary> regions;
   bool interrupted = false;  ///< before the results were written: they may be less than otherwise
 };

@@ -2,62 +2,46 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <utility>
 
 #include "geolloyd/errors.h"
 #include "tools/files/output_folder.h"
-#include "tools/run/frames.h"
 #include "tools/system/interrupt.h"
-#include "tools/words/names.h"
 
 namespace geolloyd {
 
-ResumableRelaxation::ResumableRelaxation(const RelaxArguments& arguments, const Start& start)
-    : arguments_(arguments),
-      start_(start),
-      file_(checkpoint_path(arguments.output), start.mesh_graph.graph, start.seeds,
-            relaxation_options(arguments.start.seeds, arguments.relaxation)) {
-  if (arguments.resume) {
+ResumableRelaxation::ResumableRelaxation(const PreparedRun& run, const RelaxationOptions& options,
+                                         const CheckpointPlan& plan)
+    : run_(run),
+      options_(options),
+      seconds_between_(plan.seconds),
+      file_(checkpoint_path(plan.folder), run.mesh_graph.graph, run.seeds, options) {
+  if (plan.begins_it) {
     Checkpoint checkpoint = file_.read();
     resumed_ = {checkpoint.state.steps.size(), checkpoint.seconds};
     state_ = std::move(checkpoint.state);
   } else {
-    state_.seeds = start.seeds;
+    state_.seeds = run.seeds;
   }
 }
 
-EndedRelaxation ResumableRelaxation::relax(Runtime& runtime, ProgressLine& progress) {
+EndedRelaxation ResumableRelaxation::relax(Runtime& runtime, ProgressLine& progress,
+                                           const StepStartCallback& beginning) {
   watch_ = since_saved_ = Stopwatch();
-  const Graph& graph = start_.mesh_graph.graph;
+  const Graph& graph = run_.mesh_graph.graph;
   EndedRelaxation ended;
-  ended.threads =
-      arguments_.engine.kind == EngineKind::reference ? 1 : runtime.executor().threads();
   ended.engine = runtime.make_engine(graph);
-  std::optional<FramesEngine> frames;
-  if (!arguments_.frames.empty()) {
-    frames.emplace(*ended.engine, arguments_, start_, runtime.executor(), state_.steps);
-  }
-  const bool keeps_course = !arguments_.page_file.empty();
-  const std::size_t earlier_steps = state_.steps.size();
-  if (keeps_course) ended.course.push_back(state_.seeds);
-  Engine& chosen = frames ? static_cast<Engine&>(*frames) : *ended.engine;
   ended.relaxation = geolloyd::relax(
-      graph, chosen, state_, relaxation_options(arguments_.start.seeds, arguments_.relaxation),
+      graph, *ended.engine, state_, options_,
       [&](const Progress& p) {
-        progress.show(p, start_.seeds.size());
+        progress.show(p, run_.seeds.size());
         return !interrupted();
       },
-      [&](const RelaxationState& state) {
-        if (keeps_course) ended.course.push_back(state.seeds);
-        if (since_saved_.seconds() >= arguments_.checkpoint_seconds) save(progress);
-      });
-  if (keeps_course) {  // after the last step there was none
-    ended.course.resize(
-        std::min(ended.course.size(), ended.relaxation.steps.size() - earlier_steps));
-  }
+      [&](const RelaxationState&) {
+        if (since_saved_.seconds() >= seconds_between_) save(progress);
+      },
+      beginning);
   ended.seconds = watch_.seconds();
   return ended;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/base/stopwatch.h"
+#include "core/course/prepared_run.h"
 #include "geolloyd/runtime.h"
-#include "tools/cli/relax_arguments.h"
 #include "tools/run/checkpoint.h"
-#include "tools/run/stages.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
@@ -23,24 +22,29 @@ struct EarlierPart {
 struct EndedRelaxation {
   Relaxation relaxation;
   std::unique_ptr<Engine> engine;  ///< with the partition of the seeds as they are now
-  /// Seeds at the start of each step that this run took, the last ones; for a page, else none.
-  std::vector<std::vector<NodeId>> course;
-  std::size_t threads = 0;
   double seconds = 0;
 };
 
-/// The relaxation of one run of `relax`: keeps checkpoints of itself in the output folder, and may
-/// begin with one.
+/// How a relaxation can be resumed.
+struct CheckpointPlan {
+  std::filesystem::path folder;
+  double seconds = 60;     ///< between two checkpoints
+  bool begins_it = false;  ///< the relaxation begins with the one that is there
+};
+
+/// The relaxation of one run of `relax`: keeps checkpoints of itself, and may begin with one.
 class ResumableRelaxation {
  public:
-  /// Reads the checkpoint if the arguments say so. Both must live on. Throws Error.
-  ResumableRelaxation(const RelaxArguments& arguments, const Start& start);
+  /// Reads the checkpoint if the plan says so. `run` must live on. Throws Error.
+  ResumableRelaxation(const PreparedRun& run, const RelaxationOptions& options,
+                      const CheckpointPlan& plan);
 
   /// Of a run that goes on.
   [[nodiscard]] const std::optional<EarlierPart>& resumed() const { return resumed_; }
 
   /// Goes on until the relaxation ends or an interrupt comes.
-  EndedRelaxation relax(Runtime& runtime, ProgressLine& progress);
+  EndedRelaxation relax(Runtime& runtime, ProgressLine& progress,
+                        const StepStartCallback& beginning);
 
   /// Writes a checkpoint of the last boundary between two steps. Where it cannot, that is said, and
   /// no reason to lose the work: returns false.
@@ -50,8 +54,9 @@ class ResumableRelaxation {
   void forget();
 
  private:
-  const RelaxArguments& arguments_;
-  const Start& start_;
+  const PreparedRun& run_;
+  RelaxationOptions options_;
+  double seconds_between_;
   CheckpointFile file_;
   std::optional<EarlierPart> resumed_;
   RelaxationState state_;

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/seeds/seed_file.h"
-#include "tools/cli/relax_arguments.h"
+#include "core/course/run_plan.h"
 
 namespace geolloyd {
 
@@ -14,7 +13,7 @@ class SeedSource {
  public:
   /// Reads the file of --seeds-file; a name with the extension of a mesh that is read makes it one.
   /// Throws InvalidInput where a mesh is not taken by position, and as read_within_limits().
-  explicit SeedSource(const SeedArguments& arguments);
+  explicit SeedSource(const SeedFile& file);
 
   /// How many seeds it gives at most.
   [[nodiscard]] std::size_t most() const;
@@ -28,5 +27,8 @@ class SeedSource {
   std::string text_;             // of a file that is no mesh
   std::vector<Vec3> positions_;  // of a mesh's vertices
 };
+
+/// The seeds of a file that is read when they are asked for.
+FindSeeds seeds_of(const SeedFile& file);
 
 }  // namespace geolloyd

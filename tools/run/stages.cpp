@@ -5,17 +5,9 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/formats/tangent_field_file.h"
-#include "core/graph/components.h"
 #include "core/graph/graph.h"
-#include "core/graph/mesh_graph.h"
 #include "core/library/reference_runtime.h"
-#include "core/mesh/cross_field.h"
-#include "core/mesh/curvature_field.h"
-#include "core/mesh/mesh_topology.h"
 #include "core/mesh/properties.h"
-#include "core/regions/regions_of_nodes.h"
-#include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
 #include "geolloyd/threads.h"
 #include "tools/render/picture.h"
@@ -24,62 +16,11 @@
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
-namespace {
 
-MeshGraphOptions graph_options(const GraphArguments& arguments, const LoadedInput& loaded,
-                               Executor& executor) {
-  return {arguments.kind, arguments.norm,
-          find_field(arguments, loaded.input.mesh(), loaded.edges, executor), arguments.averaging};
-}
-
-// Before the graph is made, whose memory is not taken yet. Meanwhile the edges give theirs back,
-// too: to find them again takes a twentieth of the time.
-std::vector<SeedPlace> find_first_places(const SeedArguments& arguments,
-                                         const MeshGraphOptions& graph, MeshEdges& edges,
-                                         Start& start, Runtime& runtime) {
-  const Mesh& mesh = start.input.mesh();
-  const std::size_t nodes = count_nodes(mesh, graph.kind, runtime.executor());
-  const FirstSeedOptions options{arguments.init, arguments.count, arguments.random_seed,
-                                 graph.vertex_space};
-  if (!arguments.file.empty() || !has_first_places(nodes, options)) return {};
-  const Stopwatch watch;
-  edges = {{}, {}, {}, std::move(edges.duplicates)};
-  std::vector<SeedPlace> places =
-      find_first_places(mesh, edges.duplicates, nodes, options, runtime);
-  start.seconds.seeds = watch.seconds();
-  edges = find_edges(mesh, runtime.executor());
-  return places;
-}
-
-// `source` is there where a file gives them.
-GivenSeeds first_seeds(const SeedArguments& arguments, const std::optional<SeedSource>& source,
-                       const Start& start, std::span<const SeedPlace> places,
-                       std::span<const TangentSpace> field, const Components& components,
-                       Runtime& runtime) {
-  if (source) return source->find(start.mesh_graph, components);
-  return {
-      choose_first_seeds(start.input.mesh(), places, start.mesh_graph, components,
-                         {arguments.init, arguments.count, arguments.random_seed, field}, runtime),
-      {}};
-}
-
-}  // namespace
-
-Scheduler make_scheduler(const ThreadArguments& threads) {
-  make_room_for_threads(threads.count);
-  return Scheduler(threads.count, threads.backend);
-}
-
-std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler) {
-  if (kind == EngineKind::reference) return std::make_unique<ReferenceRuntime>(scheduler);
-  return std::make_unique<Threads>(scheduler, frontier);
-}
-
-std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
-                              const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
-                              Executor& executor) {
+std::uint64_t estimate_memory(const GraphPlan& graph, const SeedPlan& seeds, const Input& input,
+                              const MeshEdges& edges, const RunWork& work, Executor& executor) {
   const Mesh& mesh = input.mesh();
-  const GraphKind kind = arguments.kind;
+  const GraphKind kind = graph.kind;
   RunSize size;
   size.vertices = mesh.vertex_count();
   size.triangles = mesh.triangle_count();
@@ -89,79 +30,67 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& inpu
   size.has_triangle_nodes = has_triangles(kind);
   size.links = count_arcs(mesh, edges, kind, executor);
   check_arc_count(size.links);
-  size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
+  size.seeds = std::clamp<std::uint64_t>(seeds.count, 1, size.nodes);
   size.threads = executor.threads();
-  size.has_field = !arguments.vfield.empty();
-  size.has_curvature_field = arguments.has_curvature_field();
-  size.has_cross_field = arguments.has_cross_field();
-  size.is_reference = purpose.engine == EngineKind::reference;
-  size.has_ground_truth = purpose.has_ground_truth;
-  size.has_dual = purpose.has_dual;
+  size.has_field = !graph.vfield.empty();
+  size.has_curvature_field = graph.has_curvature_field();
+  size.has_cross_field = graph.has_cross_field();
+  size.is_reference = work.engine == EngineKind::reference;
+  size.has_ground_truth = work.has_ground_truth;
+  size.has_dual = work.has_dual;
   size.property_bytes = bytes_of(input.loaded.properties);
   const SeedInit init =
-      purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
+      seeds.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : seeds.init;
   size.has_coarse_graph = init == SeedInit::coarse;
   // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
   if (init == SeedInit::surface) {
     size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
   }
-  if (purpose.picture) {
-    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, executor);
+  if (work.picture) {
+    size.samples = count_samples(mesh, work.picture->view, work.picture->size, executor);
   }
   return memory_to_run(size);
 }
 
-std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
-                                     const MeshEdges& edges, Executor& executor) {
-  if (arguments.vfield.empty()) return {};
-  if (arguments.has_curvature_field()) return curvature_field(mesh, edges, executor);
-  if (arguments.has_cross_field()) return cross_field(mesh, edges, executor);
-  return read_tangent_field(arguments.vfield, mesh.vertex_count());
+std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler) {
+  if (kind == EngineKind::reference) return std::make_unique<ReferenceRuntime>(scheduler);
+  return std::make_unique<Threads>(scheduler, frontier);
 }
 
-// What takes memory gives it back as soon as nothing needs it: most of the edges before the places
-// of seeds are found, and these before there is a graph.
-Start prepare(const StartArguments& arguments, Purpose purpose, Runtime& runtime,
-              ProgressLine& progress) {
-  const SeedArguments& seeds = arguments.seeds;
-  const GraphKind kind = arguments.graph.kind;
-  if (seeds.file.empty()) purpose.init = seeds.init;
-  Start start;
+PreparedInput prepare(const RunRequest& request, const RunWork& work, Runtime& runtime,
+                      ProgressLine& progress) {
   Executor& executor = runtime.executor();
-  progress.stage("reading " + arguments.mesh.string());
-  LoadedInput loaded = load_input(arguments.mesh, executor,
-                                  {arguments.has_properties, arguments.format}, arguments.repair);
+  progress.stage("reading " + request.mesh.string());
+  LoadedInput loaded = load_input(request.mesh, executor, {request.has_properties, request.format}, request.repair);
+  const Mesh& mesh = loaded.input.mesh();
+  SeedPlan seeds = request.seeds;
   std::optional<SeedSource> source;
-  if (!seeds.file.empty()) source.emplace(seeds);
-  start.memory_estimate = estimate_memory(arguments.graph, loaded.input, loaded.edges,
-                                          source ? source->most() : seeds.count, purpose, executor);
-  progress.announce_memory(loaded.input.file.string(), start.memory_estimate);
-
-  progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");
-  const Stopwatch whole;
-  if (purpose.has_dual && !has_triangles(kind)) {
-    start.surface = {find_topology(loaded.input.mesh(), loaded.edges, executor),
-                     irregular_edges(loaded.edges)};
+  if (!request.seed_file.path.empty()) {
+    source.emplace(request.seed_file);
+    seeds = {source->most(), SeedInit::farthest};
   }
-  MeshGraphOptions options = graph_options(arguments.graph, loaded, executor);
-  start.input = std::move(loaded.input);
-  MeshEdges edges = std::move(loaded.edges);
-  const std::vector<SeedPlace> places = find_first_places(seeds, options, edges, start, runtime);
-  keep_for_arcs(edges, kind);
-  start.mesh_graph = make_mesh_graph(start.input.mesh(), std::move(edges), options, executor);
-  start.seconds.load = loaded.seconds;
-  start.seconds.graph = loaded.edge_seconds + whole.seconds() - start.seconds.seeds;
-
-  progress.stage("choosing seeds");
-  const Stopwatch choosing;
-  const Components components = connected_components(start.mesh_graph.graph);
-  start.components = components.size();
-  GivenSeeds given =
-      first_seeds(seeds, source, start, places, options.vertex_space, components, runtime);
-  start.seeds = std::move(given.nodes);
-  start.seed_fit = given.fit;
-  start.seconds.seeds += choosing.seconds();
-  return start;
+  const std::uint64_t estimate =
+      estimate_memory(request.graph, seeds, loaded.input, loaded.edges, work, executor);
+  progress.announce_memory(loaded.input.file.string(), estimate);
+  if (source) {
+    seeds.given = [&](const MeshGraph& mesh_graph, const Components& components) {
+      return source->find(mesh_graph, components);
+    };
+  }
+  CourseHooks hooks;
+  hooks.stage = [&](const std::string& stage) { progress.stage(stage); };
+  if (!request.graph.vfield.empty()) progress.stage("finding the tangent field");
+  const Stopwatch finding;
+  RunPlan plan{graph_options(request.graph, mesh, loaded.edges, executor), std::move(seeds),
+               work.has_dual};
+  const double edge_and_field_seconds = loaded.edge_seconds + finding.seconds();
+  PreparedInput prepared{
+      geolloyd::prepare(mesh, std::move(loaded.edges), plan, runtime, hooks), {}, 0, 0};
+  prepared.seconds.graph += edge_and_field_seconds;
+  prepared.input = std::move(loaded.input);
+  prepared.memory_estimate = estimate;
+  prepared.load_seconds = loaded.seconds;
+  return prepared;
 }
 
 EnginePartition partition_seeds(const Graph& graph, std::span<const NodeId> seeds,

@@ -35,7 +35,7 @@ class CommandLine {
   std::string text_;
 };
 
-void add_graph(CommandLine& line, const GraphArguments& graph) {
+void add_graph(CommandLine& line, const GraphPlan& graph) {
   line.add("--graph", graph.kind, GraphKind::vertex, graph_kind_names);
   line.add("--norm", graph.norm, Norm::geodesic, norm_names);
   if (!graph.vfield.empty()) line.add("--vfield", graph.vfield.string());
@@ -45,11 +45,12 @@ void add_graph(CommandLine& line, const GraphArguments& graph) {
 // Of seeds from a file nobody knows how they were chosen, so the mode is said.
 void add_seeds(CommandLine& line, const SteppedTessellation& t,
                const std::filesystem::path& output) {
-  const SeedArguments& seeds = t.options().seeds;
-  const std::filesystem::path file = t.has_edited_seeds() ? output / first_seeds_name : seeds.file;
+  const SeedPlan& seeds = t.options().seeds;
+  const SeedFile& given = t.options().seed_file;
+  const std::filesystem::path file = t.has_edited_seeds() ? output / first_seeds_name : given.path;
   if (!file.empty()) {
     line.add("--seeds-file", file.string());
-    if (!t.has_edited_seeds()) line.add("--by", seeds.by, SeedsBy::id, seeds_by_names);
+    if (!t.has_edited_seeds()) line.add("--by", given.by, SeedsBy::id, seeds_by_names);
     line.add("--greedy", name_of(greedy_mode_names, t.limits().greedy));
     return;
   }

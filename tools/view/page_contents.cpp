@@ -20,10 +20,9 @@ void add_fact(Bundle& bundle, const char* name, const std::string& text) {
   bundle.info["facts"].push_back(Json::array({name, text}));
 }
 
-void add_field_of(const FieldArguments& arguments, const Mesh& mesh, Bundle& bundle,
-                  Executor& executor) {
-  if (arguments.vfield.empty()) return;
-  add_field(bundle, find_field(arguments, mesh, find_edges(mesh, executor), executor));
+void add_field_of(const FieldSource& field, const Mesh& mesh, Bundle& bundle, Executor& executor) {
+  if (field.vfield.empty()) return;
+  add_field(bundle, find_field(field, mesh, find_edges(mesh, executor), executor));
 }
 
 // Steps are numbered within their phase, from 1.
@@ -39,7 +38,7 @@ std::vector<std::string> labels_of(std::span<const Step> steps) {
 }
 
 // The start of each step, and the result, whose arrays are there.
-void add_frames(const Start& start, const Relaxation& relaxation,
+void add_frames(const PreparedInput& start, const Relaxation& relaxation,
                 std::span<const std::vector<NodeId>> course, Bundle& bundle, Runtime& runtime) {
   const std::span<const Step> steps = std::span(relaxation.steps).last(course.size());
   const std::vector<std::string> labels = labels_of(relaxation.steps);
@@ -71,14 +70,14 @@ Bundle bundle_of(const Input& input) {
   return bundle;
 }
 
-Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const Result& result,
+Bundle relax_contents(const FieldSource& field, const PreparedInput& start, const Result& result,
                       std::span<const std::vector<NodeId>> course, Runtime& runtime) {
   const Relaxation& relaxation = result.relaxation;
   Bundle bundle = bundle_of(start.input);
   add_regions(bundle, start.mesh_graph, relaxation.partition, relaxation.seeds);
   add_region_figures(bundle, result.regions);
   add_trees(bundle, start.mesh_graph, relaxation.partition);
-  add_field_of(arguments.start.graph, start.input.mesh(), bundle, runtime.executor());
+  add_field_of(field, start.input.mesh(), bundle, runtime.executor());
   if (result.ground_truth) add_truth(bundle, start.mesh_graph, *result.ground_truth);
   if (result.dual) add_remesh(bundle, result.dual->mesh);
   add_frames(start, relaxation, course, bundle, runtime);

@@ -22,7 +22,7 @@ inline constexpr std::size_t most_frames = 48;
 /// What `relax` made: regions, trees, the field, the ground truth and the remesh, as far as there
 /// are any, and the frames of its course. `course`: the seeds at the start of each of the last
 /// steps.
-Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const Result& result,
+Bundle relax_contents(const FieldSource& field, const PreparedInput& start, const Result& result,
                       std::span<const std::vector<NodeId>> course, Runtime& runtime);
 
 /// The mesh before and after `remesh`.

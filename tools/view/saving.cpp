@@ -29,45 +29,30 @@ constexpr std::array<const char*, 9> saved_names = {
     page_name,     "tessellation.ply", "seeds.csv",      "regions.csv", "dual.ply",
     "report.json", picture_name,       first_seeds_name, remesh_name};
 
-// Those of the command line that gives this result.
-RelaxArguments arguments_of(const std::filesystem::path& folder, const SteppedTessellation& t) {
-  const RelaxationOptions limits = t.limits();
-  RelaxArguments arguments;
-  arguments.output = folder;
-  arguments.start.mesh = t.start().input.file;
-  arguments.start.graph = t.options().graph;
-  arguments.start.seeds = t.options().seeds;
-  arguments.start.has_properties = true;
+// Those of the run that gives this result.
+RelaxFacts facts_of(const std::filesystem::path& folder, const SteppedTessellation& t) {
+  RelaxFacts facts;
+  facts.request.mesh = t.start().input.file;
+  facts.request.has_properties = true;
+  facts.request.graph = t.options().graph;
+  facts.options = t.limits();
   if (t.has_edited_seeds()) {
-    arguments.start.seeds = {};
-    arguments.start.seeds.file = folder / first_seeds_name;
+    facts.request.seed_file.path = folder / first_seeds_name;
+  } else {
+    facts.request.seeds = t.options().seeds;
+    facts.request.seed_file = t.options().seed_file;
   }
-  arguments.relaxation.greedy = limits.greedy;
-  arguments.relaxation.max_greedy_steps = limits.max_greedy_steps;
-  arguments.relaxation.max_macrosteps = limits.max_macrosteps;
-  return arguments;
+  return facts;
 }
 
-GraphDual dual_of(SteppedTessellation& t, const std::vector<NodeId>& seeds,
-                  const Partition& partition, Executor& executor) {
-  const Start& start = t.start();
-  const InputSurface* const surface =
-      has_triangles(start.mesh_graph.kind) ? nullptr : &*start.surface;
-  GraphDual dual = make_graph_dual(
-      {start.input.mesh(), start.mesh_graph, seeds, partition, t.engine(), executor, surface},
-      DualRequest{}, executor);
-  t.restore_partition();
-  return dual;
-}
-
-void write_first_seeds(const std::filesystem::path& path, const Start& start) {
+void write_first_seeds(const std::filesystem::path& path, const PreparedInput& start) {
   FileWriter file(path);
   for (const NodeId seed : start.seeds) write_row(file, start.mesh_graph.input_id[seed]);
   file.commit();
 }
 
-void write_remesh(const std::filesystem::path& path, const Start& start, const Remesh& remesh,
-                  Executor& executor) {
+void write_remesh(const std::filesystem::path& path, const PreparedInput& start,
+                  const Remesh& remesh, Executor& executor) {
   Properties properties =
       transfer_properties(start.input.mesh(), start.input.loaded.properties, remesh, executor);
   keep_writable(path, properties);
@@ -79,44 +64,47 @@ void write_remesh(const std::filesystem::path& path, const Start& start, const R
 std::string save_result(const std::filesystem::path& folder, SteppedTessellation& t,
                         Executor& executor) {
   const Stopwatch watch;
-  const Start& start = t.start();
-  const RelaxArguments arguments = arguments_of(folder, t);
+  const PreparedInput& start = t.start();
+  RelaxTargets targets;
+  targets.folder = folder;
   Result result;
   result.relaxation = t.result();
   result.threads = executor.threads();
   const Relaxation& relaxation = result.relaxation;
-  result.dual = dual_of(t, relaxation.seeds, relaxation.partition, executor);
-  result.dual_properties = transfer_properties(start.input.mesh(), start.input.loaded.properties,
-                                               start.mesh_graph, *result.dual, executor);
+  result.dual =
+      make_whole_dual(start, relaxation.seeds, relaxation.partition, t.engine(), {}, executor);
+  t.restore_partition();
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
   Cost cost;
-  ResultFiles files(arguments);
+  ResultFiles files(targets);
   write_results(start, result, files, executor);
   cost.write_seconds = cost.total_seconds = watch.seconds();
   cost.peak_memory_bytes = peak_memory_bytes();
-  files.find(RelaxOutput::report)->text(report_text(arguments, start, result, cost));
+  files.find(RelaxOutput::report)->text(report_text(facts_of(folder, t), start, result, cost));
   write_first_seeds(folder / first_seeds_name, start);
   files.commit();
   std::string names = first_seeds_name;
-  for (const std::string& name : names_of_results(arguments)) names += " " + name;
+  for (const std::string& name : names_of_results(targets)) names += " " + name;
   return names;
 }
 
 // The regions as they are, and the surface remesh; where there is none, the dual.
 std::string save_page(const std::filesystem::path& folder, SteppedTessellation& t,
                       const std::optional<SessionRemesh>& remesh, Runtime& runtime) {
-  const Start& start = t.start();
+  const PreparedInput& start = t.start();
   Result result;
   result.relaxation = t.result();
   const Relaxation& relaxation = result.relaxation;
   const bool has_remesh = remesh && remesh->made;
   if (!has_remesh) {
-    result.dual = dual_of(t, relaxation.seeds, relaxation.partition, runtime.executor());
+    result.dual = make_dual(start, relaxation.seeds, relaxation.partition, t.engine(), {},
+                            runtime.executor());
+    t.restore_partition();
   }
   result.regions = summarise_regions(start.mesh_graph.graph, relaxation.partition, relaxation.seeds,
                                      relaxation.region_score);
-  Bundle bundle = relax_contents(arguments_of(folder, t), start, result, {}, runtime);
+  Bundle bundle = relax_contents(t.options().graph, start, result, {}, runtime);
   if (has_remesh) add_remesh(bundle, remesh->made->mesh);
   return write_page(folder / page_name, std::move(bundle));
 }
@@ -130,7 +118,9 @@ void prepare_saving(const std::filesystem::path& folder,
 
 GraphDual dual_of(SteppedTessellation& t, Executor& executor) {
   const Partition partition = t.partition();
-  return dual_of(t, t.seeds(), partition, executor);
+  GraphDual dual = make_dual(t.start(), t.seeds(), partition, t.engine(), {}, executor);
+  t.restore_partition();
+  return dual;
 }
 
 std::string save_into(const std::filesystem::path& folder, Saving what,

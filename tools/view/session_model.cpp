@@ -138,7 +138,7 @@ const std::vector<Colour>& SessionModel::region_colours() {
 }
 
 void SessionModel::make_truth() {
-  const Start& start = tessellation_.start();
+  const PreparedInput& start = tessellation_.start();
   truth_ = make_ground_truth(runtime_.executor(), start.input.mesh(), start.mesh_graph,
                              tessellation_.partition(), tessellation_.seeds());
   touch("truth");
@@ -151,7 +151,7 @@ void SessionModel::make_dual() {
 
 // Of the field as far as it has magnitudes, which is what a remesh follows.
 std::filesystem::path SessionModel::remesh_field() const {
-  const GraphArguments& graph = tessellation_.options().graph;
+  const GraphPlan& graph = tessellation_.options().graph;
   return graph.has_cross_field() ? std::filesystem::path() : graph.vfield;
 }
 
@@ -254,7 +254,7 @@ Json SessionModel::state(const Json& task, bool is_running) {
 }
 
 std::string SessionModel::bundle(std::string_view name) {
-  const Start& start = tessellation_.start();
+  const PreparedInput& start = tessellation_.start();
   const MeshGraph& mesh_graph = start.mesh_graph;
   Bundle bundle;
   bundle.title = start.input.file.filename().string();

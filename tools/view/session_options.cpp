@@ -38,16 +38,16 @@ void change(SessionOptions& options, const std::string& key, const Json& value,
     change(options.greedy, key, value, greedy_choice_names);
   } else if (key == "init") {
     change(options.seeds.init, key, value, seed_init_names);
-    options.seeds.file.clear();
+    options.seed_file.path.clear();
   } else if (key == "field") {
     const std::string name = name_among(key, value, field_names(field_file));
     options.graph.vfield = name == no_field ? "" : name;
   } else if (key == "seed_count") {
     options.seeds.count = whole_number_in(key, value, 1, no_id);
-    options.seeds.file.clear();
+    options.seed_file.path.clear();
   } else if (key == "random_seed") {
     options.seeds.random_seed = whole_number_in(key, value, 0, most);
-    options.seeds.file.clear();
+    options.seed_file.path.clear();
   } else {
     throw InvalidInput(
         "set: no option of that name: give any of graph, norm, field, greedy, "

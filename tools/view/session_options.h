@@ -4,15 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "tools/cli/relax_arguments.h"
+#include "core/course/run_plan.h"
 #include "tools/files/json.h"
 
 namespace geolloyd {
 
 /// What a session tessellates with. A file of seeds is only that of the command line.
 struct SessionOptions {
-  GraphArguments graph;
-  SeedArguments seeds;
+  GraphPlan graph;
+  SeedPlan seeds;
+  SeedFile seed_file;
   std::optional<GreedyMode> greedy;
 };
 

@@ -6,9 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/mesh/mesh_topology.h"
-#include "core/regions/regions_of_nodes.h"
-#include "core/start/first_seeds.h"
 #include "core/voronoi/energy.h"
 #include "geolloyd/errors.h"
 #include "tools/run/seed_source.h"
@@ -17,13 +14,9 @@
 namespace geolloyd {
 namespace {
 
-bool same_choice(const SeedArguments& a, const SeedArguments& b) {
-  return a.count == b.count && a.init == b.init && a.random_seed == b.random_seed &&
-         a.file == b.file;
-}
-
-bool same_graph(const GraphArguments& a, const GraphArguments& b) {
-  return a.kind == b.kind && a.norm == b.norm && a.vfield == b.vfield && a.averaging == b.averaging;
+bool same_choice(const SessionOptions& a, const SessionOptions& b) {
+  return a.seeds.count == b.seeds.count && a.seeds.init == b.seeds.init &&
+         a.seeds.random_seed == b.seeds.random_seed && a.seed_file.path == b.seed_file.path;
 }
 
 std::uint32_t count_steps_in(const std::vector<Step>& steps, Phase phase) {
@@ -74,11 +67,10 @@ struct SteppedTessellation::Made {
 SteppedTessellation::SteppedTessellation(LoadedInput loaded, const SessionOptions& options,
                                          Runtime& runtime)
     : runtime_(runtime) {
-  start_.seconds.load = loaded.seconds;
+  start_.load_seconds = loaded.seconds;
   start_.input = std::move(loaded.input);
   edges_ = std::move(loaded.edges);
-  start_.surface = {find_topology(start_.input.mesh(), edges_, runtime.executor()),
-                    irregular_edges(edges_)};
+  start_.surface = find_surface(start_.input.mesh(), edges_, runtime.executor());
   rebuild(options, true);
 }
 
@@ -91,39 +83,29 @@ void SteppedTessellation::choose_seeds() {
 }
 
 std::vector<NodeId> SteppedTessellation::choose(const SessionOptions& options, const Made* made) {
-  const SeedArguments& seeds = options.seeds;
-  const MeshGraph& mesh_graph = made != nullptr ? made->mesh_graph : start_.mesh_graph;
-  const Components& components = made != nullptr ? made->components : components_;
-  if (!seeds.file.empty()) {
-    return SeedSource(seeds).find(mesh_graph, components).nodes;
-  }
-  const Mesh& mesh = start_.input.mesh();
-  const FirstSeedOptions choice{seeds.init, seeds.count, seeds.random_seed,
-                                made != nullptr ? made->field : field_};
-  const std::vector<SeedPlace> places =
-      find_first_places(mesh, edges_.duplicates, mesh_graph.graph.node_count(), choice, runtime_);
-  return choose_first_seeds(mesh, places, mesh_graph, components, choice, runtime_);
+  SeedPlan plan = options.seeds;
+  if (!options.seed_file.path.empty()) plan.given = seeds_of(options.seed_file);
+  return find_first_seeds(start_.input.mesh(), edges_, made != nullptr ? made->field : field_,
+                          made != nullptr ? made->mesh_graph : start_.mesh_graph,
+                          made != nullptr ? made->components : components_, plan, runtime_)
+      .nodes;
 }
 
 // Edited seeds stay where the choice of seeds does.
 void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   const Mesh& mesh = start_.input.mesh();
-  const bool is_new = !engine_ || !same_graph(options.graph, options_.graph);
-  const SeedArguments& seeds = options.seeds;
-  Purpose purpose;
-  purpose.init = seeds.init;
-  purpose.has_dual = true;
-  const std::uint64_t bytes = estimate_memory(options.graph, start_.input, edges_, seeds.count,
-                                              purpose, runtime_.executor());
+  const bool is_new = !engine_ || options.graph != options_.graph;
+  RunWork work;
+  work.has_dual = true;
+  const std::uint64_t bytes = estimate_memory(options.graph, options.seeds, start_.input, edges_,
+                                              work, runtime_.executor());
   require_memory(start_.input.file.string(), bytes);
   std::optional<Made> made;
   if (is_new) {
+    MeshGraphOptions asked = graph_options(options.graph, mesh, edges_, runtime_.executor());
     made.emplace();
-    made->field = find_field(options.graph, mesh, edges_, runtime_.executor());
-    made->mesh_graph = make_mesh_graph(
-        mesh, edges_,
-        {options.graph.kind, options.graph.norm, made->field, options.graph.averaging},
-        runtime_.executor());
+    made->mesh_graph = make_mesh_graph(mesh, edges_, asked, runtime_.executor());
+    made->field = std::move(asked.vertex_space);
     made->components = connected_components(made->mesh_graph.graph);
   }
   if (options.seeds.count == 0) {
@@ -131,7 +113,7 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
     options.seeds.count = usual_seed_count(mesh_graph.graph, made ? made->components : components_);
   }
   std::optional<std::vector<NodeId>> edited;
-  if (has_edited_seeds_ && !chooses_anew && same_choice(seeds, options_.seeds)) {
+  if (has_edited_seeds_ && !chooses_anew && same_choice(options, options_)) {
     edited = made ? carried(start_.mesh_graph, start_.seeds, made->mesh_graph) : start_.seeds;
     if (edited && made && !has_seeds(made->components, *edited)) edited.reset();
   }
@@ -157,9 +139,9 @@ void SteppedTessellation::begin(std::vector<NodeId> first_seeds, bool are_edited
 }
 
 void SteppedTessellation::reset() {
-  RelaxationArguments asked;
-  asked.greedy = options_.greedy;
-  relaxation_options_ = geolloyd::relaxation_options(options_.seeds, asked);
+  relaxation_options_ = {};
+  relaxation_options_.greedy =
+      greedy_mode(options_.greedy, !options_.seed_file.path.empty(), options_.seeds.init);
   state_ = {};
   state_.seeds = start_.seeds;
   end_.reset();

@@ -47,7 +47,7 @@ class SteppedTessellation {
   /// False where `observer` stopped the step, which then was not taken.
   bool step(StepKind kind, const ProgressCallback& observer = {});
 
-  [[nodiscard]] const Start& start() const { return start_; }
+  [[nodiscard]] const PreparedInput& start() const { return start_; }
   [[nodiscard]] const MeshEdges& edges() const { return edges_; }
   [[nodiscard]] const std::vector<TangentSpace>& field() const { return field_; }
   [[nodiscard]] const SessionOptions& options() const { return options_; }
@@ -98,7 +98,7 @@ class SteppedTessellation {
   void show(const std::vector<NodeId>& seeds);
 
   Runtime& runtime_;
-  Start start_;  // its seeds are the first ones
+  PreparedInput start_;  // its seeds are the first ones
   MeshEdges edges_;
   SessionOptions options_;
   std::vector<TangentSpace> field_;

@@ -139,4 +139,9 @@ std::string describe(const MeshTopology& topology) {
   return text;
 }
 
+std::string name_of_hole_size(const RepairOptions& options) {
+  if (options.hole_edges > 0) return fmt::format("{}", options.hole_edges);
+  return options.hole_share > 0 ? fmt::format("{:.6g}%", 100 * options.hole_share) : "off";
+}
+
 }  // namespace geolloyd

@@ -35,4 +35,7 @@ std::string describe(const PositionFit& fit, const MeshFacts& facts);
 /// Boundary loops, and whether it is a manifold.
 std::string describe(const MeshTopology& topology);
 
+/// As --fill-holes has it.
+std::string name_of_hole_size(const RepairOptions& options);
+
 }  // namespace geolloyd
