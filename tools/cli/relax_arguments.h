@@ -90,11 +90,7 @@ struct DualArguments {
   bool quads = false;
 };
 
-/// How pictures look.
-struct PictureArguments {
-  View view{25, 15};
-  Size size{1280, 0};
-};
+using PictureArguments = PictureLook;
 
 /// All of `relax`.
 struct RelaxArguments {

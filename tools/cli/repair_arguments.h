@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "geolloyd/repair.h"
@@ -12,6 +13,11 @@ struct RepairArguments {
   bool is_wanted = false;
   bool has_hole_size = false;  ///< given, not the default
   RepairOptions options;
+
+  /// Empty: none is wanted.
+  [[nodiscard]] std::optional<RepairOptions> wanted() const {
+    return is_wanted ? std::optional(options) : std::nullopt;
+  }
 };
 
 /// --fill-holes.

@@ -50,7 +50,7 @@ Json options_part(const RelaxArguments& a, const Result& result) {
   Json part = engine_part(a, result.threads);
   part.update(options_part(a.start, a.relaxation, result.regions.size()));
   part["repair"] = a.start.repair.is_wanted;
-  part["fill_holes"] = fill_holes_part(a.start.repair);
+  part["fill_holes"] = fill_holes_part(a.start.repair.wanted());
   part["drop"] = !a.start.has_properties;
   part["manifold"] = a.dual.manifold;
   part["dual_vertices"] = name_of(dual_vertices_names, a.dual.vertices);

@@ -87,8 +87,8 @@ Json repairs_part(const std::optional<Repairs>& repairs) {
           {"unused_vertices", repairs->unused_vertices}};
 }
 
-Json fill_holes_part(const RepairArguments& repair) {
-  return repair.is_wanted ? Json(name_of_hole_size(repair.options)) : Json(nullptr);
+Json fill_holes_part(const std::optional<RepairOptions>& repair) {
+  return repair ? Json(name_of_hole_size(*repair)) : Json(nullptr);
 }
 
 Json graph_part(const Graph& graph, std::size_t components) {

@@ -24,7 +24,7 @@ Json mesh_part(const Input& input);
 /// Null where no repair was asked for.
 Json repairs_part(const std::optional<Repairs>& repairs);
 /// As --fill-holes has it; null without a repair.
-Json fill_holes_part(const RepairArguments& repair);
+Json fill_holes_part(const std::optional<RepairOptions>& repair);
 Json graph_part(const Graph& graph, std::size_t components);
 Json topology_part(const MeshTopology& topology);
 /// The names of what was carried over, and what was left out.

@@ -79,16 +79,16 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptio
   return loaded;
 }
 
-LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
-                       const ReadOptions& options, const RepairArguments& repair) {
+LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
+                       const ReadOptions& options, const std::optional<RepairOptions>& repair) {
   LoadedInput loaded;
   const Stopwatch watch;
   loaded.input.file = file;
   loaded.input.loaded = read_within_limits(file, options);
-  if (repair.is_wanted) {
+  if (repair) {
     Mesh& given = loaded.input.loaded.mesh;
     require_memory(file.string(), memory_to_repair(given.vertex_count(), given.triangle_count()));
-    RepairedMesh repaired = make_repaired_mesh(given, repair.options, scheduler);
+    RepairedMesh repaired = make_repaired_mesh(given, *repair, executor);
     Properties& properties = loaded.input.loaded.properties;
     properties =
         follow_origins(properties, repaired.mesh, repaired.vertex_origin, repaired.triangle_origin);
@@ -97,9 +97,9 @@ LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
   }
   const Mesh& mesh = loaded.input.mesh();
   const Stopwatch finding;
-  loaded.edges = find_edges(mesh, scheduler);
+  loaded.edges = find_edges(mesh, executor);
   loaded.edge_seconds = finding.seconds();
-  loaded.input.facts = check_mesh(mesh, loaded.edges, scheduler);
+  loaded.input.facts = check_mesh(mesh, loaded.edges, executor);
   loaded.seconds = watch.seconds() - loaded.edge_seconds;
   return loaded;
 }

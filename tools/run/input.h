@@ -3,12 +3,11 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/base/executor.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/repair/repair.h"
-#include "parallel/threads/scheduler.h"
-#include "tools/cli/repair_arguments.h"
 
 namespace geolloyd {
 
@@ -36,7 +35,8 @@ struct LoadedInput {
 LoadedMesh read_within_limits(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Reads a mesh in the same way, repairs it if that is wanted, finds its edges and checks it.
-LoadedInput load_input(const std::filesystem::path& file, Scheduler& scheduler,
-                       const ReadOptions& options = {}, const RepairArguments& repair = {});
+LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
+                       const ReadOptions& options = {},
+                       const std::optional<RepairOptions>& repair = {});
 
 }  // namespace geolloyd

@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/library/reference_runtime.h"
 #include "core/lloyd/reference_engine.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/system/machine.h"
 
 namespace geolloyd {
@@ -12,6 +14,11 @@ std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Schedule
                                     const Graph& graph) {
   return kind == EngineKind::reference ? make_reference_engine(graph)
                                        : make_parallel_engine(scheduler, graph, frontier);
+}
+
+std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier, Scheduler& scheduler) {
+  if (kind == EngineKind::reference) return std::make_unique<ReferenceRuntime>(scheduler);
+  return std::make_unique<SchedulerRuntime>(scheduler);
 }
 
 MeasuredRun measure_run(EngineKind kind, Frontier frontier, Scheduler& scheduler,

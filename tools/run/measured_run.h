@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/lloyd/relaxation.h"
+#include "geolloyd/runtime.h"
 #include "parallel/engine/parallel_engine.h"
 #include "tools/words/names.h"
 
@@ -11,6 +12,9 @@ namespace geolloyd {
 
 std::unique_ptr<Engine> make_engine(EngineKind kind, Frontier frontier, Scheduler& scheduler,
                                     const Graph& graph);
+
+/// The engines that --engine and --frontier name, on these threads, which must live on.
+std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler);
 
 /// A relaxation, how long it took, and the most memory the process held meanwhile.
 struct MeasuredRun {

@@ -41,8 +41,8 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
   progress.stage("measuring distances and energy");
   const Mesh& remesh = record.remesh.input.mesh();
   const Mesh& mesh = original.input.mesh();
-  record.likeness = compare(remesh, mesh, edges.duplicates, original.input.facts.area,
-                            input.samples, executor);
+  record.likeness =
+      compare(remesh, mesh, edges.duplicates, original.input.facts.area, input.samples, executor);
   const std::vector<TangentSpace> field = find_field({input.vfield}, mesh, edges, executor);
   if (field.empty()) return;
   progress.stage("measuring in the metric");

@@ -16,6 +16,7 @@
 #include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
+#include "core/surface/sizing/recipe.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
@@ -98,9 +99,9 @@ std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& inpu
   const SeedInit init =
       purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
   size.has_coarse_graph = init == SeedInit::coarse;
-  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
   if (init == SeedInit::surface) {
-    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
+    size.fine_vertices =
+        size.vertices + (size.has_field ? most_vertices_per_site : vertices_per_site) * size.seeds;
   }
   if (purpose.picture) {
     size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
@@ -136,7 +137,7 @@ Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& sched
   Start start;
   progress.stage("reading " + arguments.mesh.string());
   LoadedInput loaded =
-      load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
+      load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair.wanted());
   std::optional<SeedSource> source;
   if (!seeds.file.empty()) source.emplace(seeds);
   start.memory_estimate =

@@ -94,12 +94,11 @@ Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const
   return bundle;
 }
 
-Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Scheduler& scheduler) {
+Bundle remesh_contents(const RemeshedInput& done) {
   const Input& input = done.loaded.input;
   const Remesh& remesh = done.result.made.remesh;
   Bundle bundle = bundle_of(input);
-  add_field_of(arguments.field, input.mesh(), bundle, scheduler);
+  if (!done.field.empty()) add_field(bundle, done.field);
   add_remesh(bundle, remesh.mesh);
   add_fact(bundle, "remesh", counted(remesh.mesh.vertex_count(), "vertex", "vertices"));
   add_fact(bundle, "", counted(remesh.mesh.triangle_count(), "triangle", "triangles"));

@@ -26,7 +26,6 @@ Bundle relax_contents(const RelaxArguments& arguments, const Start& start, const
                       std::span<const std::vector<NodeId>> course, Scheduler& scheduler);
 
 /// The mesh before and after `remesh`.
-Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Scheduler& scheduler);
+Bundle remesh_contents(const RemeshedInput& done);
 
 }  // namespace geolloyd

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
+#include "core/course/remesh_course.h"
 #include "core/regions/tessellation.h"
-#include "core/surface/result/remesh.h"
-#include "core/surface/substrate/surface_input.h"
 #include "geolloyd/errors.h"
+#include "parallel/library/scheduler_runtime.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/dual.h"
 #include "tools/run/remesh.h"
@@ -16,7 +16,6 @@
 #include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
 #include "tools/view/saving.h"
-#include "tools/view/site_watch.h"
 
 namespace geolloyd {
 namespace {
@@ -164,25 +163,24 @@ void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>
   RemeshOptions options;
   options.vertex_count = vertices;
   if (!next.field.empty()) options.field = tessellation_.field();
-  require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
-                                                             options, {}, scheduler_));
-  const SurfaceFrame frame = frame_of(input.mesh(), scheduler_);
-  const auto keep_sites = [&](std::span<const Vec3> sites) {
-    std::vector<Vec3>& kept = remesh_->sites;
-    kept.resize(sites.size());
-    std::transform(sites.begin(), sites.end(), kept.begin(),
-                   [&](const Vec3& p) { return frame.to_mesh(p); });
+  SchedulerRuntime runtime(scheduler_);
+  RemeshCourse course{input.mesh(), tessellation_.edges(), std::move(options), runtime};
+  course.hooks.keep_going = keep_going;
+  course.hooks.budget = [&](std::uint64_t bytes) { require_memory(input.file.string(), bytes); };
+  course.bytes = [&](std::size_t count, const RemeshOptions& asked) {
+    return estimate_remesh_memory(input, tessellation_.edges(), count, asked, {}, scheduler_);
   };
   std::optional<SessionRemesh> before = std::exchange(remesh_, std::move(next));
-  options.progress = [&](const RemeshProgress& progress) {
+  course.options.progress = [&](const RemeshProgress& progress) {
     remesh_->progress = progress;
+    remesh_->progress.place = nullptr;
+    remesh_->sites.clear();
+    for (std::size_t s = 0; s < progress.sites; ++s) remesh_->sites.push_back(progress.place(s));
     touch("sites");
-    return keep_going();
+    return true;
   };
   try {
-    remesh_->made = geolloyd::make_remesh(
-        input.mesh(), tessellation_.edges(), options,
-        watched(make_surface_engines(EngineKind::parallel, scheduler_), keep_sites), scheduler_);
+    remesh_->made = run(std::move(course)).remesh;
   } catch (...) {
     layers_.erase("sites");
     remesh_ = std::move(before);
