@@ -363,9 +363,7 @@ void remesh(Run& run, const Workers& workers) {
   RemeshOptions options;
   options.vertex_count = run.seeds();
   const Remesh& expected = in.surface_remesh(run.seeds());
-  const auto work = [&] {
-    return make_remesh(in.mesh(), in.edges(), options, workers.runtime);
-  };
+  const auto work = [&] { return make_remesh(in.mesh(), in.edges(), options, workers.runtime); };
   // Of the reference verified when its result was made, once for all.
   if (!workers.are_reference) {
     run.verify("not the course of the reference", [&] {

@@ -25,7 +25,8 @@ std::size_t expected_vertices(const RemeshCourse& course) {
 
 TimedRemesh run(RemeshCourse course) {
   const CourseHooks& hooks = course.hooks;
-  if (hooks.budget && course.bytes) hooks.budget(course.bytes(expected_vertices(course)));
+  if (hooks.budget && course.bytes)
+    hooks.budget(course.bytes(expected_vertices(course), course.options));
   if (hooks.stage) hooks.stage("preparing the surface");
   const Stopwatch start;
   std::optional<Stopwatch> first_move;
@@ -38,8 +39,8 @@ TimedRemesh run(RemeshCourse course) {
     return goes_on && (!hooks.keep_going || hooks.keep_going());
   };
   TimedRemesh timed;
-  timed.remesh = make_remesh(course.mesh, course.edges, course.options, course.runtime,
-                             course.release_edges);
+  timed.remesh =
+      make_remesh(course.mesh, course.edges, course.options, course.runtime, course.release_edges);
   timed.seconds.prepare = first_move.value_or(last_move).since(start);
   timed.seconds.move = last_move.since(first_move.value_or(last_move));
   timed.seconds.assemble = last_move.seconds();

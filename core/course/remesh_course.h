@@ -18,8 +18,8 @@ struct RemeshCourse {
   RemeshOptions options;  ///< for this mesh
   Runtime& runtime;
   CourseHooks hooks = {};
-  /// What the client's whole run holds for a remesh with so many vertices, bytes; for hooks.budget.
-  std::function<std::uint64_t(std::size_t vertices)> bytes = {};
+  /// What the client's whole run holds for a remesh with so many vertices: for hooks.budget.
+  std::function<std::uint64_t(std::size_t vertices, const RemeshOptions& options)> bytes = {};
   /// For the last remesh: gives back what nothing but edges.duplicates needs (surface/result).
   std::function<void()> release_edges = {};
 };

@@ -19,8 +19,8 @@
 #include "core/shapes/shapes.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"
+#include "tools/files/label_groups.h"
 #include "tools/render/surface_colours.h"
-#include "tools/evaluation/attribute_transfer.h"
 #include "tools/system/memory_estimate.h"
 
 namespace geolloyd {

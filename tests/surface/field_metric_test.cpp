@@ -173,8 +173,7 @@ TEST(FieldRemesh, RefusesAFieldOfAnotherMesh) {
   RemeshOptions options;
   options.vertex_count = 20;
   options.field.resize(mesh.vertex_count() + 1);
-  EXPECT_THROW(make_remesh(mesh, find_edges(mesh), options, reference_runtime()),
-               InvalidInput);
+  EXPECT_THROW(make_remesh(mesh, find_edges(mesh), options, reference_runtime()), InvalidInput);
 }
 
 }  // namespace

@@ -13,6 +13,21 @@
 #include "tools/words/numbers.h"
 
 namespace geolloyd {
+namespace {
+
+// Whose numbers a repair would change; empty: none is given.
+std::string option_that_names_vertices(const RemeshArguments& arguments) {
+  const RemeshRequest& request = arguments.request;
+  if (!request.lengths_file.empty()) return "--sizing";
+  if (!request.densities_file.empty()) return "--density";
+  if (!request.edges_file.empty()) return "--feature-edges";
+  if (!request.fixed_file.empty()) return "--fixed";
+  if (!request.field.field_file().empty()) return "--vfield";
+  return arguments.files.map.empty() ? "" : "--map";
+}
+
+}  // namespace
+
 CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices,
                                  const std::string& what) {
   constexpr std::uint64_t least = 4;
@@ -20,20 +35,20 @@ CLI::Option* add_vertices_option(CLI::App& command, std::size_t& vertices,
                       std::numeric_limits<std::uint32_t>::max());
 }
 
-void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
-  add_vertices_option(command, fineness.vertices,
+void add_fineness_options(CLI::App& command, RemeshRequest& request) {
+  add_vertices_option(command, request.options.vertex_count,
                       "Number of vertices; there are more only where the topology needs\n"
                       "them");
-  positive_number(command.add_option("--edge-length", fineness.edge_length,
+  positive_number(command.add_option("--edge-length", request.options.edge_length,
                                      "Mean length of edges, instead of --vertices"))
       ->type_name("LENGTH");
   command
       .add_option_function<std::string>(
           "--tolerance",
-          [&fineness](const std::string& text) {
+          [&request](const std::string& text) {
             std::string_view number = text;
-            fineness.is_percentage = number.ends_with('%');
-            if (fineness.is_percentage) number.remove_suffix(1);
+            request.is_percentage = number.ends_with('%');
+            if (request.is_percentage) number.remove_suffix(1);
             const auto value = parse_number<double>(number);
             if (!value || !std::isfinite(*value) || !(*value > 0)) {
               throw CLI::ValidationError(
@@ -41,15 +56,15 @@ void add_fineness_options(CLI::App& command, FinenessArguments& fineness) {
                                      "': give a distance above 0, or like 0.5% of the bounding "
                                      "box's diagonal");
             }
-            fineness.tolerance = *value;
+            request.tolerance = *value;
           },
           "Largest distance to the input, such as 0.1, or 0.5% of the\n"
           "bounding box's diagonal: searches the fewest vertices for it")
       ->type_name("DISTANCE");
 }
 
-void add_field_option(CLI::App& command, FieldSource& field, const std::string& what) {
-  command.add_option("--vfield", field.vfield, what)
+void add_field_option(CLI::App& command, RemeshRequest& request, const std::string& what) {
+  command.add_option("--vfield", request.field.vfield, what)
       ->type_name("FILE|curvature")
       ->group(sizing_group);
 }
@@ -61,32 +76,32 @@ void check_has_magnitudes(const FieldSource& field) {
       "curvature, or a file");
 }
 
-void add_size_file_options(CLI::App& command, SizingArguments& sizing) {
+void add_size_file_options(CLI::App& command, RemeshRequest& request) {
   command
-      .add_option("--sizing", sizing.lengths_file,
+      .add_option("--sizing", request.lengths_file,
                   "File of edge lengths: one per line, for each vertex of the input\n"
                   "in turn. With --vertices, --edge-length or --tolerance they are\n"
                   "scaled")
       ->type_name("FILE")
       ->group(sizing_group);
   command
-      .add_option("--density", sizing.densities_file,
+      .add_option("--density", request.densities_file,
                   "File of densities, in the same form: lengths of edges are\n"
                   "proportional to density^(-1/4)")
       ->type_name("FILE")
       ->group(sizing_group);
 }
 
-void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
+void add_adapt_options(CLI::App& command, RemeshRequest& request) {
   command
       .add_option_function<std::string>(
           "--adapt",
-          [&sizing](const std::string& text) {
+          [&request](const std::string& text) {
             const auto value = parse_number<double>(text);
             if (!value || !(*value >= 0 && *value <= 2)) {
               throw CLI::ValidationError("--adapt", "'" + text + "': give a number from 0 to 2");
             }
-            sizing.adapt = *value;
+            request.options.sizing.adapt = *value;
           },
           "Shorter edges where the surface is curved: lengths are\n"
           "proportional to curvature^(-G/2). 0: the same everywhere")
@@ -95,12 +110,12 @@ void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
   command
       .add_option_function<std::string>(
           "--growth",
-          [&sizing](const std::string& text) {
+          [&request](const std::string& text) {
             const auto value = parse_number<double>(text);
             if (!value || !std::isfinite(*value) || !(*value > 1)) {
               throw CLI::ValidationError("--growth", "'" + text + "': give a number above 1");
             }
-            sizing.growth = *value;
+            request.options.sizing.growth = *value;
           },
           "Maximum ratio of the lengths of adjacent edges, where lengths vary")
       ->type_name("FACTOR")
@@ -108,23 +123,24 @@ void add_adapt_options(CLI::App& command, SizingArguments& sizing) {
       ->group(sizing_group);
 }
 
-void check_fineness(const FinenessArguments& fineness, const SizingArguments& sizing) {
-  const int fields = (sizing.lengths_file.empty() ? 0 : 1) +
-                     (sizing.densities_file.empty() ? 0 : 1) + (sizing.adapt > 0 ? 1 : 0);
+void check_fineness(const RemeshRequest& request) {
+  const RemeshOptions& options = request.options;
+  const int fields = (request.lengths_file.empty() ? 0 : 1) +
+                     (request.densities_file.empty() ? 0 : 1) + (options.sizing.adapt > 0 ? 1 : 0);
   if (fields > 1) throw InvalidInput("--sizing, --density and --adapt exclude each other");
-  const int given = (fineness.vertices > 0 ? 1 : 0) + (fineness.edge_length > 0 ? 1 : 0) +
-                    (fineness.tolerance > 0 ? 1 : 0);
-  if (given == 1 || (given == 0 && !sizing.lengths_file.empty())) return;
+  const int given = (options.vertex_count > 0 ? 1 : 0) + (options.edge_length > 0 ? 1 : 0) +
+                    (request.tolerance > 0 ? 1 : 0);
+  if (given == 1 || (given == 0 && !request.lengths_file.empty())) return;
   throw InvalidInput(given == 0 ? "how fine? Give --vertices N, --edge-length LENGTH or "
                                   "--tolerance DISTANCE"
                                 : "--vertices, --edge-length and --tolerance exclude each other");
 }
 
-void add_feature_options(CLI::App& command, FeatureArguments& features) {
+void add_feature_options(CLI::App& command, RemeshRequest& request) {
   command
       .add_option_function<std::string>(
           "--features",
-          [&features](const std::string& text) {
+          [&features = request.options.features](const std::string& text) {
             const auto angle = parse_number<double>(text);
             if (text == "auto" || text == "off") {
               features.creases = text == "auto" ? Creases::automatic : Creases::none;
@@ -143,38 +159,46 @@ void add_feature_options(CLI::App& command, FeatureArguments& features) {
       ->default_str("auto")
       ->group(feature_group);
   command
-      .add_option("--feature-labels", features.labels,
+      .add_option("--feature-labels", request.labels,
                   "Property of triangles or of vertices, such as region: borders\n"
                   "between its values are kept")
       ->type_name("NAME")
       ->group(feature_group);
 }
 
-void add_feature_file_options(CLI::App& command, FeatureArguments& features) {
+void add_feature_file_options(CLI::App& command, RemeshRequest& request) {
   command
-      .add_option("--feature-edges", features.edges_file,
+      .add_option("--feature-edges", request.edges_file,
                   "File of further edges to keep: two vertices of the input per\n"
                   "line, counted from 0")
       ->type_name("FILE")
       ->group(feature_group);
   command
-      .add_option("--fixed", features.fixed_file,
+      .add_option("--fixed", request.fixed_file,
                   "File of vertices to keep where they are: one vertex of the input\n"
                   "per line, counted from 0")
       ->type_name("FILE")
       ->group(feature_group);
 }
 
-void add_no_fit_option(CLI::App& command, bool& no_fit) {
-  command.add_flag("--no-fit", no_fit,
+void add_no_fit_option(CLI::App& command, RemeshRequest& request) {
+  command.add_flag("!--no-fit", request.options.fit,
                    "Leave vertices on the surface of the input, instead of moving them\n"
                    "off it where that brings the triangles closer");
 }
 
-std::string name_of_creases(const FeatureArguments& features) {
+std::string name_of_creases(const FeatureOptions& features) {
   if (features.creases == Creases::none) return "off";
   if (features.creases == Creases::automatic) return "auto";
   return fmt::format("{}", features.crease_angle);
+}
+
+void check_remesh(RemeshArguments& arguments) {
+  RemeshRequest& request = arguments.request;
+  check_fineness(request);
+  check_has_magnitudes(request.field);
+  check_repair(arguments.repair, option_that_names_vertices(arguments));
+  request.repair = arguments.repair.wanted();
 }
 
 }  // namespace geolloyd

@@ -14,6 +14,7 @@ struct RepairArguments {
   bool has_hole_size = false;  ///< given, not the default
   RepairOptions options;
 
+  /// Empty: none is wanted.
   [[nodiscard]] std::optional<RepairOptions> wanted() const {
     return is_wanted ? std::optional(options) : std::nullopt;
   }

@@ -29,10 +29,10 @@ struct QualityArguments {
 
 void run_quality(const QualityArguments& a, const Console& console) {
   const QualityInput& input = a.input;
-  if (input.original.empty() && !input.vfield.empty()) {
+  if (input.original.empty() && !input.field.vfield.empty()) {
     throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
   }
-  const FieldArguments field{input.vfield};
+  const FieldSource& field = input.field;
   check_has_magnitudes(field);
   if (!a.output.empty()) {
     check_target(a.output, std::array{input.remesh, input.original, field.field_file()});
@@ -62,7 +62,7 @@ void add_quality_command(CLI::App& program, Console& console) {
                1, 1'000'000'000)
       ->capture_default_str();
   command
-      ->add_option("--vfield", input.vfield,
+      ->add_option("--vfield", input.field.vfield,
                    "Judge triangles, edges and energy in a metric of the original, too:\n"
                    "that of a file as of relax, or of its curvature")
       ->type_name("FILE|curvature");

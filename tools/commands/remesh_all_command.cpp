@@ -115,15 +115,6 @@ std::vector<RemeshTask> make_tasks(const RemeshAllArguments& arguments) {
   return tasks;
 }
 
-// All files that one mesh gets, as `remesh` is told them.
-RemeshArguments arguments_for(const RemeshAllArguments& arguments, const RemeshTask& task) {
-  RemeshArguments one = arguments.each;
-  one.mesh = task.input;
-  one.output = task.output;
-  if (arguments.has_reports) one.report_file = task.output.string() + ".json";
-  return one;
-}
-
 std::uint64_t size_of(const fs::path& file) {
   std::error_code unknown;  // is for the reader to tell
   const auto bytes = fs::file_size(file, unknown);
@@ -153,10 +144,13 @@ class RemeshingAll {
       : arguments_(arguments),
         tasks_(tasks),
         scheduler_(make_scheduler(arguments.each.threads)),
-        record_(tasks, arguments.folder, arguments.each, scheduler_.threads()),
+        record_(tasks, arguments.folder,
+                remesh_options_part(
+                    arguments.each.request,
+                    {arguments.each.engine, scheduler_.backend(), scheduler_.threads()})),
         progress_(console) {
     for (const RemeshTask& task : tasks) {
-      queued_.push_back(to_be_queued(task, arguments.each.fineness.vertices));
+      queued_.push_back(to_be_queued(task, arguments.each.request.options.vertex_count));
     }
   }
 
@@ -199,22 +193,27 @@ class RemeshingAll {
 
   // An interrupted remesh is another one, so it is not written.
   void remesh(std::size_t task, MemoryShare& share, const Stopwatch& watch) {
-    const RemeshArguments one = arguments_for(arguments_, tasks_[task]);
-    Scheduler scheduler(threads_for(task), one.threads.backend);
+    RemeshRequest request = arguments_.each.request;
+    request.mesh = tasks_[task].input;
+    RemeshFiles names;
+    names.remesh = tasks_[task].output;
+    if (arguments_.has_reports) names.report = names.remesh.string() + ".json";
+    Scheduler scheduler(threads_for(task), arguments_.each.threads.backend);
     ProgressLine silent = ProgressLine::silent();
     const auto check_memory = [&](std::uint64_t bytes) {
-      require_memory(one.mesh.string(), bytes);
+      require_memory(request.mesh.string(), bytes);
       share.become(bytes);
     };
-    RemeshedInput done = remesh_input(one, check_memory, scheduler, silent);
+    RemeshedInput done = remesh_input(request, std::nullopt, arguments_.each.engine, check_memory,
+                                      scheduler, silent);
     if (done.result.made.remesh.interrupted) return;
-    keep_writable(one.output, done.result.properties);
+    keep_writable(names.remesh, done.result.properties);
     const Stopwatch writing;
-    FileGroup files = open_remesh_files(one);
-    write_remesh(one, done.result, files);
+    FileGroup files = open_remesh_files(names);
+    write_remesh(names, done.result, files);
     done.result.write_seconds = writing.seconds();
     done.result.total_seconds = watch.seconds();
-    write_remesh_report(one, done.loaded, done.result, files);
+    write_remesh_report(names, request, done, files);
     record_.add(task, done);
   }
 
@@ -250,9 +249,9 @@ class RemeshingAll {
   ProgressLine progress_;
 };
 
-void run_remesh_all(const RemeshAllArguments& arguments, const Console& console) {
+void run_remesh_all(RemeshAllArguments& arguments, const Console& console) {
   check_remesh(arguments.each);
-  if (!arguments.each.field.field_file().empty()) {
+  if (!arguments.each.request.field.field_file().empty()) {
     throw InvalidInput("--vfield: a file belongs to one mesh: give curvature");
   }
   const std::vector<RemeshTask> tasks = make_tasks(arguments);
@@ -287,7 +286,7 @@ void add_remesh_all_command(CLI::App& program, Console& console) {
   command->add_option("INPUT", a->inputs, "Folders of meshes, or meshes")
       ->type_name("")
       ->required();
-  add_fineness_options(*command, a->each.fineness);
+  add_fineness_options(*command, a->each.request);
   folder_name(command->add_option("-o,--output", a->folder,
                                   "Folder for the remeshes, each named as its input, and for\n"
                                   "remesh-all.csv and remesh-all.json"))
@@ -301,14 +300,14 @@ void add_remesh_all_command(CLI::App& program, Console& console) {
   add_json_option(*command, console);
   command->add_flag("--reports", a->has_reports,
                     "For each remesh a report, NAME.json, like that of remesh --report");
-  add_adapt_options(*command, a->each.sizing);
-  add_field_option(*command, a->each.field,
+  add_adapt_options(*command, a->each.request);
+  add_field_option(*command, a->each.request,
                    "Triangles regular in the metric of the surface's own curvatures.\n"
                    "Without other sizes, all edges have one length in it");
   add_repair_options(*command, a->each.repair);
-  add_feature_options(*command, a->each.features);
-  add_no_fit_option(*command, a->each.no_fit);
-  add_drop_option(*command, a->each.carries_properties);
+  add_feature_options(*command, a->each.request);
+  add_no_fit_option(*command, a->each.request);
+  add_drop_option(*command, a->each.request.carries_properties);
   add_engine_option(*command, a->each.engine);
   add_thread_options(*command, a->each.threads);
   command->footer(

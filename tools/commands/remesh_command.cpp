@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/stopwatch.h"
@@ -25,43 +26,48 @@
 namespace geolloyd {
 namespace {
 
-void run_remesh(const RemeshArguments& arguments, const Console& console) {
-  if (!arguments.page_file.empty()) check_viewer();
+void run_remesh(RemeshArguments& arguments, const Console& console) {
+  const RemeshFiles& names = arguments.files;
+  if (!names.page.empty()) check_viewer();
   check_remesh(arguments);
-  check_remesh_targets(arguments);
+  const RemeshRequest& request = arguments.request;
+  check_remesh_targets(names, arguments.inputs());
   const Stopwatch total;
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   const auto check_memory = [&](std::uint64_t bytes) {
-    progress.announce_memory(arguments.mesh.string(), bytes);
+    progress.announce_memory(request.mesh.string(), bytes);
     catch_interrupts();
   };
-  RemeshedInput done = remesh_input(arguments, check_memory, scheduler, progress);
+  const auto picture =
+      names.picture.empty() ? std::nullopt : std::optional<PictureLook>(arguments.picture);
+  RemeshedInput done =
+      remesh_input(request, picture, arguments.engine, check_memory, scheduler, progress);
   RemeshResult& result = done.result;
   const Remesh& remesh = result.made.remesh;
   const SurfaceColours colours = colours_of(result.properties);
-  keep_writable(arguments.output, result.properties);
+  keep_writable(names.remesh, result.properties);
 
-  progress.stage("writing " + arguments.output.string());
+  progress.stage("writing " + names.remesh.string());
   const Stopwatch writing;
-  FileGroup files = open_remesh_files(arguments);
-  write_remesh(arguments, result, files);
+  FileGroup files = open_remesh_files(names);
+  write_remesh(names, result, files);
   result.write_seconds = writing.seconds();
   result.total_seconds = total.seconds();
   result.peak_memory_bytes = peak_memory_bytes();
-  write_remesh_report(arguments, done.loaded, result, files);
-  if (!arguments.picture_file.empty()) {  // whatever happens to it, the results are there
-    progress.stage("drawing " + arguments.picture_file.string());
-    write_remesh_picture(arguments, remesh.mesh, colours, scheduler);
+  write_remesh_report(names, request, done, files);
+  if (!names.picture.empty()) {  // whatever happens to it, the results are there
+    progress.stage("drawing " + names.picture.string());
+    write_remesh_picture(names.picture, arguments.picture, remesh.mesh, colours, scheduler);
   }
   std::string page;
-  if (!arguments.page_file.empty()) {
-    progress.stage("writing " + arguments.page_file.string());
-    page = write_page(arguments.page_file, remesh_contents(arguments, done, scheduler));
+  if (!names.page.empty()) {
+    progress.stage("writing " + names.page.string());
+    page = write_page(names.page, remesh_contents(done));
   }
   progress.clear();
-  if (console.wants_json()) console.print_json(remesh_report(arguments, done.loaded, result));
-  fmt::print("{}{}", describe(arguments, done.loaded, result), page);
+  if (console.wants_json()) console.print_json(remesh_report(request, done));
+  fmt::print("{}{}", describe(names, done), page);
   if (remesh.interrupted) throw InterruptedExit{};
 }
 
@@ -71,37 +77,39 @@ void add_remesh_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "remesh", "Remesh a mesh as regularly as can be: vertices move freely over its surface");
   const auto a = std::make_shared<RemeshArguments>();
-  command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
-  add_fineness_options(*command, a->fineness);
-  command->add_option("-o,--output", a->output, "File for the remesh: " + output_mesh_text)
+  RemeshRequest& request = a->request;
+  RemeshFiles& files = a->files;
+  command->add_option("MESH", request.mesh, input_mesh_text)->type_name("")->required();
+  add_fineness_options(*command, request);
+  command->add_option("-o,--output", files.remesh, "File for the remesh: " + output_mesh_text)
       ->type_name("FILE")
       ->required();
-  command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");
+  command->add_option("--report", files.report, "JSON file for all figures")->type_name("FILE");
   command
-      ->add_option("--map", a->map_file,
+      ->add_option("--map", files.map,
                    "CSV file that tells where on the input each vertex is: a\n"
                    "triangle, and barycentric coordinates in it")
       ->type_name("FILE");
-  command->add_option("--picture", a->picture_file, "PNG file for a picture of the remesh")
+  command->add_option("--picture", files.picture, "PNG file for a picture of the remesh")
       ->type_name("FILE");
   command
-      ->add_option("--page", a->page_file,
+      ->add_option("--page", files.page,
                    "HTML file that shows the mesh before and after in a browser")
       ->type_name("FILE");
-  add_size_file_options(*command, a->sizing);
-  add_adapt_options(*command, a->sizing);
-  add_field_option(*command, a->field,
+  add_size_file_options(*command, request);
+  add_adapt_options(*command, request);
+  add_field_option(*command, request,
                    "Triangles regular in a metric: curvature, for that of the\n"
                    "surface's own curvatures, or a file as of relax. Without other\n"
                    "sizes, all edges have one length in it");
   add_repair_options(*command, a->repair);
-  add_feature_options(*command, a->features);
-  add_feature_file_options(*command, a->features);
-  add_no_fit_option(*command, a->no_fit);
-  add_drop_option(*command, a->carries_properties);
+  add_feature_options(*command, request);
+  add_feature_file_options(*command, request);
+  add_no_fit_option(*command, request);
+  add_drop_option(*command, request.carries_properties);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, a->format);
+  add_format_option(*command, request.format);
   add_picture_options(*command, a->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best remesh so far. For the thesis's tessellation, "

@@ -6,11 +6,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
-#include "core/base/stopwatch.h"
+#include "core/course/paired_surfaces.h"
+#include "core/course/remesh_course.h"
+#include "core/library/reference_runtime.h"
 #include "core/lloyd/paired_engine.h"
-#include "core/surface/cells/paired_surface_engine.h"
 #include "geolloyd/errors.h"
+#include "geolloyd/threads.h"
 #include "tools/cli/format_option.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -31,9 +34,7 @@ struct VerifyArguments {
   RelaxationArguments relaxation;
   EngineArguments engine;
   ThreadArguments threads;
-  std::size_t vertices = 0;  ///< of a surface remesh; 0: a relaxation
-  SizingArguments sizing;    ///< of a surface remesh
-  FeatureArguments features;
+  RemeshRequest request;  ///< of a surface remesh; without vertices: a relaxation
 };
 
 void print_times(double reference, double parallel, const Scheduler& scheduler) {
@@ -61,7 +62,7 @@ Json begin_agreement(const Input& input, const Scheduler& scheduler, bool was_in
 Json agreement(const VerifyArguments& a, const LoadedInput& loaded, const Remesh& remesh,
                const SurfaceComparison& comparison, const Scheduler& scheduler) {
   Json result = begin_agreement(loaded.input, scheduler, remesh.interrupted, remesh.fingerprint);
-  result["options"] = {{"vertices", a.vertices}};
+  result["options"] = {{"vertices", a.request.options.vertex_count}};
   result["vertices"] = remesh.mesh.vertex_count();
   result["compared"] = {{"labels", comparison.labels},
                         {"cells", comparison.cells},
@@ -160,26 +161,34 @@ void verify_relaxation(const VerifyArguments& a, const Console& console) {
 
 void verify_remesh(const VerifyArguments& a, const Console& console) {
   check_has_magnitudes(a.start.graph);
+  RemeshRequest request = a.request;
+  request.mesh = a.start.mesh;
+  request.format = a.start.format;
+  request.field = a.start.graph;
+  request.carries_properties = false;
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(a.threads);
-  const LoadedInput loaded =
-      load_surface(a.start.mesh, scheduler, progress, {!a.features.labels.empty(), a.start.format});
-  RemeshOptions options;
-  options.vertex_count = a.vertices;
-  options.sizing = read_sizing(a.sizing, loaded);
-  options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
-  options.features = read_features(a.features, loaded);
-  progress.announce_memory(loaded.input.file.string(),
-                           estimate_remesh_memory(loaded.input, loaded.edges, a.vertices, options,
-                                                  std::nullopt, scheduler));
-  catch_interrupts();
+  const LoadedInput loaded = load_surface(request, scheduler, progress);
+  const auto budget = [&](std::uint64_t bytes) {
+    progress.announce_memory(request.mesh.string(), bytes);
+    catch_interrupts();
+  };
   SurfaceComparison comparison;
-  const MakeSurfaceEngine make_pairs = make_paired_surface_engines(
-      make_surface_engines(EngineKind::reference, scheduler),
-      make_surface_engines(EngineKind::parallel, scheduler), comparison);
+  ReferenceRuntime reference(scheduler);
+  Threads parallel(scheduler);
+  PairedSurfaces pairs(reference, parallel, comparison);
+  RemeshCourse course{loaded.input.mesh(), loaded.edges, read_options(request, loaded, scheduler),
+                      pairs, course_hooks(progress, budget)};
+  course.bytes = [&](std::size_t vertices, const RemeshOptions& options) {
+    return estimate_remesh_memory(loaded.input, loaded.edges, vertices, options, {}, scheduler);
+  };
+  course.options.progress = [&progress](const RemeshProgress& p) {
+    progress.show(p);
+    return true;
+  };
   Remesh remesh;
   try {
-    remesh = time_remesh(loaded, options, make_pairs, scheduler, progress).remesh;
+    remesh = run(std::move(course)).remesh;
   } catch (const Disagreement& difference) {
     throw std::runtime_error(std::string("the engines differ ") + difference.what());
   }
@@ -219,24 +228,24 @@ void add_verify_command(CLI::App& program, Console& console) {
   const auto arguments = std::make_shared<VerifyArguments>();
   add_mesh_argument(*command, arguments->start.mesh);
   add_json_option(*command, console);
-  add_vertices_option(*command, arguments->vertices,
+  add_vertices_option(*command, arguments->request.options.vertex_count,
                       "Verify a remesh with so many vertices instead of a relaxation");
   add_seed_options(*command, arguments->start.seeds, arguments->start.seed_file);
   add_graph_options(*command, arguments->start.graph);
   add_relaxation_options(*command, arguments->relaxation);
   add_frontier_option(*command, arguments->engine);
-  add_size_file_options(*command, arguments->sizing);
-  add_adapt_options(*command, arguments->sizing);
-  add_feature_options(*command, arguments->features);
-  add_feature_file_options(*command, arguments->features);
+  add_size_file_options(*command, arguments->request);
+  add_adapt_options(*command, arguments->request);
+  add_feature_options(*command, arguments->request);
+  add_feature_file_options(*command, arguments->request);
   add_thread_options(*command, arguments->threads);
   add_format_option(*command, arguments->start.format);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
       "Times are those of the engines' work.");
   command->callback([command, arguments, &console] {
-    refuse_others(*command, arguments->vertices > 0);
-    if (arguments->vertices > 0) {
+    refuse_others(*command, arguments->request.options.vertex_count > 0);
+    if (arguments->request.options.vertex_count > 0) {
       verify_remesh(*arguments, console);
     } else {
       verify_relaxation(*arguments, console);

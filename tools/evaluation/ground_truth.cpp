@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/base/executor.h"
-#include "core/base/loops.h"
 #include "core/base/hexagonal_energy.h"
+#include "core/base/loops.h"
 #include "tools/evaluation/point_queries.h"
 
 namespace geolloyd {

@@ -33,7 +33,7 @@ struct GroundTruth {
   Statistics distance_in_radii;  ///< seed_distance over the radius of a disc of the region's area
   double energy = 0;             ///< sum of mass * |node - seed|^2, mesh units
   double graph_energy = 0;       ///< the same sum, with the graph's regions
-  double hexagonal = 0;          ///< energy of a hexagonal tiling of as much (base/hexagonal_energy.h)
+  double hexagonal = 0;  ///< energy of a hexagonal tiling of as much (base/hexagonal_energy.h)
 };
 
 /// `partition`: of the graph by these seeds, regions free. The same for any number of threads.

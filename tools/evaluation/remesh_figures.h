@@ -25,7 +25,8 @@ struct RemeshFigures {
   std::optional<double> volume_error;       ///< share of the mesh's volume; if both are closed
 };
 
-/// Takes some tenths of a second, however large the mesh is. Of its edges only the duplicates count.
+/// Takes some tenths of a second, however large the mesh is. Of its edges only the duplicates
+/// count.
 RemeshFigures judge_remesh(const Mesh& mesh, const MeshEdges& edges, const MeshFacts& facts,
                            const Remesh& remesh, std::span<const TangentSpace> field,
                            Executor& executor);

@@ -7,6 +7,7 @@
 #include "tools/cli/choice_option.h"
 #include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/batch_runs.h"
 #include "tools/laboratory/laboratory.h"
 #include "tools/report/heading.h"
@@ -40,7 +41,8 @@ Json result_of(const BatchArguments& a, const Input& input, std::size_t threads,
                bool is_complete) {
   const EngineKind engine = a.engine.kind;
   Json result = begin_result("batch", input);
-  result["options"] = options_part(a.start, a.limits, 0);
+  result["options"] =
+      options_part(a.start, relaxation_options(a.start.seeds, a.start.seed_file, a.limits), 0);
   result["options"].update(Json{{"graph", names_of(graph_kind_names, a.graphs)},
                                 {"seeds", seed_ladder(a.seeds)},
                                 {"greedy", names_of(greedy_mode_names, a.greedy)},
@@ -107,7 +109,7 @@ void add_batch_command(CLI::App& program, Console& console) {
   CLI::App* command = program.add_subcommand(
       "batch", "Run the thesis's experiment: many first seeds, all graphs, all heuristics");
   const auto a = std::make_shared<BatchArguments>();
-  add_mesh_argument(*command, a->start);
+  add_mesh_argument(*command, a->start.mesh);
   command
       ->add_option("-k,--seeds", a->seeds,
                    "Numbers of seeds: 1024, or 16,1024, or 4..1024 for 4, 8, 16... 1024")

@@ -30,7 +30,7 @@ std::vector<BatchRow> empty_rows(const BatchArguments& a, GraphKind graph, std::
 }
 
 RelaxationOptions options_of(const RelaxationArguments& limits, const Configuration& c) {
-  RelaxationOptions options = relaxation_options({}, limits);
+  RelaxationOptions options = relaxation_options({}, {}, limits);
   options.greedy = c.greedy;
   options.macrostep_skip = c.macrostep_skip;
   options.microstep_skip = c.microstep_skip;

@@ -19,7 +19,7 @@ namespace geolloyd {
 inline const std::vector<Named<bool>> switch_names = {{"on", true}, {"off", false}};
 
 struct BatchArguments {
-  StartArguments start;  // but for the number of seeds and the kind of graph
+  RunRequest start;  // but for the number of seeds and the kind of graph
   RelaxationArguments limits;
   EngineArguments engine;
   ThreadArguments threads;

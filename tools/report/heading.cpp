@@ -8,7 +8,7 @@
 
 namespace geolloyd {
 
-void print_heading(const Start& start) {
+void print_heading(const PreparedInput& start) {
   const Graph& graph = start.mesh_graph.graph;
   fmt::print("{}: {} graph, {}, {}, {}\n", start.input.file.string(),
              name_of(graph_kind_names, start.mesh_graph.kind),

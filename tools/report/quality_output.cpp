@@ -58,8 +58,7 @@ std::string describe(const Likeness& likeness, const JudgedMesh& remesh,
       difference(remesh.input.facts.components, original.input.facts.components),
       difference(remesh.topology.total().boundary_loops, original.topology.total().boundary_loops),
       "energy", likeness.energy / likeness.hexagonal,
-      distance_table(likeness, original.input.facts.bounding_diagonal),
-      grouped(likeness.samples));
+      distance_table(likeness, original.input.facts.bounding_diagonal), grouped(likeness.samples));
 }
 
 std::string describe(const MetricQuality& judged) {

@@ -8,7 +8,6 @@
 
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
-#include "tools/report/remesh_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
 #include "tools/system/interrupt.h"
@@ -50,10 +49,10 @@ Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
 }  // namespace
 
 RemeshRecord::RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem::path folder,
-                           const RemeshArguments& arguments, std::size_t threads)
+                           Json options)
     : tasks_(tasks),
       folder_(std::move(folder)),
-      options_(remesh_options_part(arguments, threads)),
+      options_(std::move(options)),
       rows_(tasks.size()) {}
 
 void RemeshRecord::add(std::size_t task, const RemeshedInput& done) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "tools/cli/remesh_arguments.h"
 #include "tools/files/json.h"
 #include "tools/run/remesh_run.h"
 
@@ -28,8 +27,7 @@ class RemeshRecord {
   static constexpr const char* json_name = "remesh-all.json";
 
   /// `tasks` must live on.
-  RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem::path folder,
-               const RemeshArguments& arguments, std::size_t threads);
+  RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem::path folder, Json options);
 
   void add(std::size_t task, const RemeshedInput& done);
   /// Why there is no remesh, in one line.

@@ -11,6 +11,7 @@
 #include "core/formats/mesh_formats.h"
 #include "core/formats/mesh_io.h"
 #include "geolloyd/errors.h"
+#include "tools/cli/remesh_arguments.h"
 #include "tools/files/csv.h"
 #include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
@@ -24,9 +25,9 @@ namespace geolloyd {
 namespace {
 
 // Those of a run, the mesh first. The last one tells scripts that all are there.
-std::vector<std::filesystem::path> files_of(const RemeshArguments& a) {
-  std::vector<std::filesystem::path> files = {a.output};
-  for (const auto& file : {a.map_file, a.report_file}) {
+std::vector<std::filesystem::path> files_of(const RemeshFiles& names) {
+  std::vector<std::filesystem::path> files = {names.remesh};
+  for (const auto& file : {names.map, names.report}) {
     if (!file.empty()) files.push_back(file);
   }
   return files;
@@ -172,14 +173,14 @@ std::string describe_cost(const LoadedInput& loaded, const RemeshResult& result)
       "time", result.total_seconds, loaded.seconds, loaded.edge_seconds, remesh.prepare,
       remesh.move, remesh.assemble, result.judge_seconds, result.write_seconds,
       static_cast<double>(result.peak_memory_bytes) * 1e-6,
-      counted(result.threads, "thread", "threads"));
+      counted(result.workers.threads, "thread", "threads"));
 }
 
-std::string describe_files(const RemeshArguments& arguments) {
-  std::string names;
-  for (const auto& file : files_of(arguments)) names.append(" ").append(file.string());
-  std::string text = fmt::format("  {:<11}{}\n", "written", names);
-  if (!arguments.picture_file.empty()) text += continued(arguments.picture_file.string());
+std::string describe_files(const RemeshFiles& names) {
+  std::string written;
+  for (const auto& file : files_of(names)) written.append(" ").append(file.string());
+  std::string text = fmt::format("  {:<11}{}\n", "written", written);
+  if (!names.picture.empty()) text += continued(names.picture.string());
   return text;
 }
 
@@ -249,16 +250,38 @@ Json trace_part(const Remesh& remesh) {
   return trace;
 }
 
-std::string report_text(const RemeshArguments& arguments, const LoadedInput& loaded,
-                        const RemeshResult& result) {
+}  // namespace
+
+void check_remesh_targets(const RemeshFiles& names, std::vector<std::filesystem::path> inputs) {
+  (void)format_to_write(names.remesh);
+  for (const auto& file : {names.remesh, names.map, names.report, names.picture, names.page}) {
+    if (file.empty()) continue;
+    check_target(file, inputs);
+    inputs.push_back(file);
+  }
+}
+
+FileGroup open_remesh_files(const RemeshFiles& names) {
+  return FileGroup(files_of(names));
+}
+
+void write_remesh(const RemeshFiles& names, const RemeshResult& result, FileGroup& files) {
+  const Remesh& remesh = result.made.remesh;
+  write(files[0], remesh.mesh, result.properties);
+  if (!names.map.empty()) write_map(remesh, files[1]);
+}
+
+std::string remesh_report(const RemeshRequest& request, const RemeshedInput& done) {
+  const Input& input = done.loaded.input;
+  const RemeshResult& result = done.result;
   const Remesh& remesh = result.made.remesh;
   Json report;
   report["command"] = "remesh";
   report["program"] = program_name();
   report["machine"] = machine_part();
-  report["input"] = mesh_part(loaded.input);
-  report["repairs"] = repairs_part(loaded.input.repairs);
-  report["options"] = remesh_options_part(arguments, result.threads);
+  report["input"] = mesh_part(input);
+  report["repairs"] = repairs_part(input.repairs);
+  report["options"] = remesh_options_part(request, result.workers);
   report["interrupted"] = remesh.interrupted;
   report["trials"] = trials_part(result.trials);
   report["iterations"] = remesh.steps.size();
@@ -270,91 +293,62 @@ std::string report_text(const RemeshArguments& arguments, const LoadedInput& loa
   report["quality_in_metric"] =
       result.figures.in_metric ? quality_part(*result.figures.in_metric) : Json(nullptr);
   report["edge_length_ratios"] = ratios_part(result.figures);
-  report["input_to_remesh"] = distance_part(result.figures, loaded.input.facts.bounding_diagonal);
+  report["input_to_remesh"] = distance_part(result.figures, input.facts.bounding_diagonal);
   report["remesh"]["volume_error_percent"] =
       result.figures.volume_error ? Json(100 * *result.figures.volume_error) : Json(nullptr);
   report["fingerprint"] = fingerprint_text(remesh.fingerprint);
-  report["seconds"] = seconds_part(loaded, result);
+  report["seconds"] = seconds_part(done.loaded, result);
   report["memory_estimate_bytes"] = result.memory_estimate;
   report["peak_memory_bytes"] = result.peak_memory_bytes;
   report["trace"] = trace_part(remesh);
   return json_text(report);
 }
 
-}  // namespace
-
-void check_remesh_targets(const RemeshArguments& a) {
-  (void)format_to_write(a.output);
-  std::vector<std::filesystem::path> others = a.inputs();
-  for (const auto& file : {a.output, a.map_file, a.report_file, a.picture_file, a.page_file}) {
-    if (file.empty()) continue;
-    check_target(file, others);
-    others.push_back(file);
-  }
-}
-
-FileGroup open_remesh_files(const RemeshArguments& arguments) {
-  return FileGroup(files_of(arguments));
-}
-
-void write_remesh(const RemeshArguments& arguments, const RemeshResult& result, FileGroup& files) {
-  const Remesh& remesh = result.made.remesh;
-  write(files[0], remesh.mesh, result.properties);
-  if (!arguments.map_file.empty()) write_map(remesh, files[1]);
-}
-
-std::string remesh_report(const RemeshArguments& arguments, const LoadedInput& loaded,
-                          const RemeshResult& result) {
-  return report_text(arguments, loaded, result);
-}
-
-void write_remesh_report(const RemeshArguments& arguments, const LoadedInput& loaded,
-                         const RemeshResult& result, FileGroup& files) {
-  if (!arguments.report_file.empty()) {
-    files[arguments.map_file.empty() ? 1 : 2].text(report_text(arguments, loaded, result));
-  }
+void write_remesh_report(const RemeshFiles& names, const RemeshRequest& request,
+                         const RemeshedInput& done, FileGroup& files) {
+  if (!names.report.empty()) files[names.map.empty() ? 1 : 2].text(remesh_report(request, done));
   files.commit();
 }
 
-Json remesh_options_part(const RemeshArguments& a, std::size_t threads) {
-  const FinenessArguments& fineness = a.fineness;
+Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& workers) {
+  const RemeshOptions& options = request.options;
   const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
-  return {{"vertices", or_null(fineness.vertices)},
-          {"edge_length", or_null(fineness.edge_length)},
-          {"tolerance", or_null(fineness.tolerance)},
-          {"tolerance_is_percentage", fineness.is_percentage},
-          {"sizing", a.sizing.lengths_file.string()},
-          {"density", a.sizing.densities_file.string()},
-          {"adapt", a.sizing.adapt},
-          {"growth",
-           a.sizing.varies() || !a.field.vfield.empty() ? Json(a.sizing.growth) : Json(nullptr)},
-          {"vfield", a.field.vfield.string()},
-          {"repair", a.repair.is_wanted},
-          {"fill_holes", fill_holes_part(a.repair.wanted())},
-          {"features", name_of_creases(a.features)},
-          {"feature_edges", a.features.edges_file.string()},
-          {"feature_labels", a.features.labels},
-          {"fixed", a.features.fixed_file.string()},
-          {"fit", !a.no_fit},
-          {"drop", !a.carries_properties},
-          {"engine", name_of(engine_names, a.engine)},
-          {"threads", threads},
-          {"backend", backend_part(a.engine, a.threads.backend)}};
+  const bool varies = !request.lengths_file.empty() || !request.densities_file.empty() ||
+                      options.sizing.adapt > 0 || !request.field.vfield.empty();
+  return {{"vertices", or_null(options.vertex_count)},
+          {"edge_length", or_null(options.edge_length)},
+          {"tolerance", or_null(request.tolerance)},
+          {"tolerance_is_percentage", request.is_percentage},
+          {"sizing", request.lengths_file.string()},
+          {"density", request.densities_file.string()},
+          {"adapt", options.sizing.adapt},
+          {"growth", varies ? Json(options.sizing.growth) : Json(nullptr)},
+          {"vfield", request.field.vfield.string()},
+          {"repair", request.repair.has_value()},
+          {"fill_holes", fill_holes_part(request.repair)},
+          {"features", name_of_creases(options.features)},
+          {"feature_edges", request.edges_file.string()},
+          {"feature_labels", request.labels},
+          {"fixed", request.fixed_file.string()},
+          {"fit", options.fit},
+          {"drop", !request.carries_properties},
+          {"engine", name_of(engine_names, workers.engine)},
+          {"threads", workers.threads},
+          {"backend", backend_part(workers.engine, workers.backend)}};
 }
 
-void write_remesh_picture(const RemeshArguments& arguments, const Mesh& remesh,
-                          const SurfaceColours& colours, Scheduler& scheduler) {
-  const PictureLook& look = arguments.picture;
-  const Picture picture(remesh, look.view, look.size, 1, false, scheduler);
-  const Canvas canvas = paint_mesh(picture.scene(), scheduler, colours);
-  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, scheduler), ""}}};
-  picture.write(arguments.picture_file, panels);
+void write_remesh_picture(const std::filesystem::path& file, const PictureLook& look,
+                          const Mesh& remesh, const SurfaceColours& colours, Executor& executor) {
+  const Picture picture(remesh, look.view, look.size, 1, false, executor);
+  const Canvas canvas = paint_mesh(picture.scene(), executor, colours);
+  const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, executor), ""}}};
+  picture.write(file, panels);
 }
 
-std::string describe(const RemeshArguments& arguments, const LoadedInput& loaded,
-                     const RemeshResult& result) {
+std::string describe(const RemeshFiles& names, const RemeshedInput& done) {
+  const RemeshResult& result = done.result;
   const Remesh& remesh = result.made.remesh;
-  const Input& input = loaded.input;
+  const Input& input = done.loaded.input;
   return fmt::format("{}\n{}", input.file.string(),
                      describe(input.loaded, input.facts, HandledBy::surface)) +
          (input.repairs ? describe(*input.repairs) : "") +
@@ -362,7 +356,7 @@ std::string describe(const RemeshArguments& arguments, const LoadedInput& loaded
          describe(remesh) + describe(result.properties) +
          describe(result.figures, input.facts.bounding_diagonal) +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
-         describe_cost(loaded, result) + describe_files(arguments);
+         describe_cost(done.loaded, result) + describe_files(names);
 }
 
 }  // namespace geolloyd

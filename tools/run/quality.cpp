@@ -34,16 +34,17 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
   Executor& executor = runtime.executor();
   JudgedMesh& original = record.original.emplace();
   const MeshEdges edges = load(input.original, input.format, original, executor, progress);
-  progress.announce_memory(input.original.string(), memory_to_judge(record.remesh.input.facts.triangles,
-                                                           original.input.facts.triangles));
+  progress.announce_memory(
+      input.original.string(),
+      memory_to_judge(record.remesh.input.facts.triangles, original.input.facts.triangles));
   require_area(record.remesh);
   require_area(original);
   progress.stage("measuring distances and energy");
   const Mesh& remesh = record.remesh.input.mesh();
   const Mesh& mesh = original.input.mesh();
-  record.likeness = compare(remesh, mesh, edges.duplicates, original.input.facts.area,
-                            input.samples, executor);
-  const std::vector<TangentSpace> field = find_field({input.vfield}, mesh, edges, executor);
+  record.likeness =
+      compare(remesh, mesh, edges.duplicates, original.input.facts.area, input.samples, executor);
+  const std::vector<TangentSpace> field = find_field(input.field, mesh, edges, executor);
   if (field.empty()) return;
   progress.stage("measuring in the metric");
   record.in_metric = judge_in_metric(remesh, remesh_edges, mesh, edges, field, runtime);
@@ -53,7 +54,8 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
 
 QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& progress) {
   QualityRecord record;
-  const MeshEdges edges = load(input.remesh, input.format, record.remesh, runtime.executor(), progress);
+  const MeshEdges edges =
+      load(input.remesh, input.format, record.remesh, runtime.executor(), progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
     progress.announce_memory(input.remesh.string(),

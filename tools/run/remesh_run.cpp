@@ -1,122 +1,71 @@
 #include "tools/run/remesh_run.h"
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "core/base/stopwatch.h"
 #include "tools/evaluation/attribute_transfer.h"
-#include "tools/run/stages.h"
+#include "tools/evaluation/tolerance_search.h"
+#include "tools/run/measured_run.h"
 
 namespace geolloyd {
 namespace {
 
-// What the command line asks of a remesh, of one mesh.
-class Remesher {
- public:
-  Remesher(const RemeshArguments& arguments, LoadedInput& loaded, const MemoryCheck& check_memory,
-           Scheduler& scheduler, ProgressLine& progress)
-      : arguments_(arguments),
-        loaded_(loaded),
-        check_memory_(check_memory),
-        make_engine_(make_surface_engines(arguments.engine, scheduler)),
-        scheduler_(scheduler),
-        progress_(progress) {
-    options_.sizing = read_sizing(arguments.sizing, loaded);
-    options_.field = find_field(arguments.field, loaded.input.mesh(), loaded.edges, scheduler);
-    options_.features = read_features(arguments.features, loaded);
-    options_.fit = !arguments.no_fit;
-  }
-
-  [[nodiscard]] const std::vector<TangentSpace>& field() const { return options_.field; }
-
-  void run(RemeshResult& result) {
-    const FinenessArguments& fineness = arguments_.fineness;
-    if (fineness.tolerance > 0) {
-      search(result);
-      return;
-    }
-    options_.edge_length = fineness.edge_length;
-    options_.vertex_count = fineness.vertices;
-    check_memory(about_how_many(loaded_, options_, scheduler_), result);
-    result.made = time_last_remesh(loaded_, options_, make_engine_, scheduler_, progress_);
-  }
-
- private:
-  void search(RemeshResult& result) {
-    const FinenessArguments& fineness = arguments_.fineness;
-    const double unit = fineness.is_percentage ? loaded_.input.facts.bounding_diagonal / 100 : 1;
-    ToleranceSearch found = search_within(
-        fineness.tolerance * unit, loaded_,
-        [&](std::size_t vertices) {
-          check_memory(vertices, result);
-          options_.vertex_count = vertices;
-          return time_remesh(loaded_, options_, make_engine_, scheduler_, progress_);
-        },
-        scheduler_, progress_);
+void make(const RemeshRequest& request, const MeshFacts& facts, RemeshCourse course,
+          RemeshResult& result) {
+  if (request.tolerance > 0) {
+    const double unit = request.is_percentage ? facts.bounding_diagonal / 100 : 1;
+    ToleranceSearch found = search_within(request.tolerance * unit, std::move(course));
     result.made = std::move(found.best);
     result.trials = std::move(found.trials);
+  } else {
+    result.made = run(std::move(course));
   }
-
-  void check_memory(std::size_t vertices, RemeshResult& result) {
-    const std::uint64_t bytes = estimate_remesh_memory(
-        loaded_.input, loaded_.edges, vertices, options_,
-        arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
-        scheduler_);
-    check_memory_(bytes);
-    result.memory_estimate = std::max(result.memory_estimate, bytes);
-  }
-
-  const RemeshArguments& arguments_;
-  LoadedInput& loaded_;
-  const MemoryCheck& check_memory_;
-  MakeSurfaceEngine make_engine_;
-  Scheduler& scheduler_;
-  ProgressLine& progress_;
-  RemeshOptions options_;
-};
-
-// Whose numbers a repair would change; empty: none is given.
-std::string option_that_names_vertices(const RemeshArguments& arguments) {
-  if (!arguments.sizing.lengths_file.empty()) return "--sizing";
-  if (!arguments.sizing.densities_file.empty()) return "--density";
-  if (!arguments.features.edges_file.empty()) return "--feature-edges";
-  if (!arguments.features.fixed_file.empty()) return "--fixed";
-  if (!arguments.field.field_file().empty()) return "--vfield";
-  return arguments.map_file.empty() ? "" : "--map";
 }
 
 }  // namespace
 
-void check_remesh(const RemeshArguments& arguments) {
-  check_fineness(arguments.fineness, arguments.sizing);
-  check_has_magnitudes(arguments.field);
-  check_repair(arguments.repair, option_that_names_vertices(arguments));
-}
-
-RemeshedInput remesh_input(const RemeshArguments& arguments, const MemoryCheck& check_memory,
-                           Scheduler& scheduler, ProgressLine& progress) {
+RemeshedInput remesh_input(const RemeshRequest& request, const std::optional<PictureLook>& picture,
+                           EngineKind engine, const MemoryCheck& check_memory, Scheduler& scheduler,
+                           ProgressLine& progress) {
+  const auto runtime = make_runtime(engine, Frontier::automatic, scheduler);
   RemeshedInput done;
-  done.loaded = load_surface(
-      arguments.mesh, scheduler, progress,
-      {arguments.carries_properties || !arguments.features.labels.empty(), arguments.format},
-      arguments.repair);
   RemeshResult& result = done.result;
-  result.threads = arguments.engine == EngineKind::reference ? 1 : scheduler.threads();
-  Remesher remesher(arguments, done.loaded, check_memory, scheduler, progress);
-  remesher.run(result);
+  result.workers = {engine, scheduler.backend(),
+                    engine == EngineKind::reference ? 1 : scheduler.threads()};
+  done.loaded = load_surface(request, scheduler, progress);
+  const Input& input = done.loaded.input;
+  MeshEdges& edges = done.loaded.edges;
+  RemeshOptions options = read_options(request, done.loaded, scheduler);
+  done.field = options.field;
+  options.progress = [&progress](const RemeshProgress& p) {
+    progress.show(p);
+    return true;
+  };
+  const auto budget = [&](std::uint64_t bytes) {
+    check_memory(bytes);
+    result.memory_estimate = std::max(result.memory_estimate, bytes);
+  };
+  RemeshCourse course{input.mesh(), edges, std::move(options), *runtime,
+                      course_hooks(progress, budget)};
+  course.bytes = [&](std::size_t vertices, const RemeshOptions& asked) {
+    return estimate_remesh_memory(input, edges, vertices, asked, picture, scheduler);
+  };
+  if (!(request.tolerance > 0)) {
+    course.release_edges = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+  }
+  make(request, input.facts, std::move(course), result);
 
   progress.stage("carrying properties over");
-  const Input& input = done.loaded.input;
   const Properties none;
-  result.properties = transfer_properties(
-      input.mesh(), arguments.carries_properties ? input.loaded.properties : none,
-      result.made.remesh, scheduler);
+  result.properties =
+      transfer_properties(input.mesh(), request.carries_properties ? input.loaded.properties : none,
+                          result.made.remesh, scheduler);
 
   progress.stage("measuring the remesh");
   const Stopwatch judging;
-  result.figures = judge_remesh(done.loaded, result.made.remesh, remesher.field(), scheduler);
+  result.figures =
+      judge_remesh(input.mesh(), edges, input.facts, result.made.remesh, done.field, scheduler);
   result.judge_seconds = judging.seconds();
   return done;
 }

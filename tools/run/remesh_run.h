@@ -3,17 +3,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "core/course/remesh_course.h"
 #include "geolloyd/properties.h"
 #include "parallel/threads/scheduler.h"
-#include "tools/cli/remesh_arguments.h"
-#include "tools/run/input.h"
+#include "tools/evaluation/remesh_figures.h"
 #include "tools/run/remesh.h"
-#include "tools/run/tolerance_search.h"
-#include "tools/system/progress.h"
+#include "tools/words/names.h"
 
 namespace geolloyd {
+
+/// Who makes a remesh.
+struct RemeshWorkers {
+  EngineKind engine = EngineKind::parallel;
+  Backend backend = Backend::tbb;
+  std::size_t threads = 0;
+};
 
 /// All there is to tell of one run of `remesh`.
 struct RemeshResult {
@@ -21,7 +28,7 @@ struct RemeshResult {
   std::vector<ToleranceTrial> trials;  ///< none without a tolerance
   RemeshFigures figures;
   Properties properties;  ///< of the remesh
-  std::size_t threads = 0;
+  RemeshWorkers workers;
   std::uint64_t memory_estimate = 0;  ///< bytes
   double judge_seconds = 0;
   double write_seconds = 0;
@@ -32,6 +39,7 @@ struct RemeshResult {
 /// A mesh that was read, and its remesh.
 struct RemeshedInput {
   LoadedInput loaded;
+  std::vector<TangentSpace> field;
   RemeshResult result;
 };
 
@@ -39,12 +47,10 @@ struct RemeshedInput {
 /// which ends the run.
 using MemoryCheck = std::function<void(std::uint64_t bytes)>;
 
-/// Throws InvalidInput where options contradict each other, before anything is read.
-void check_remesh(const RemeshArguments& arguments);
-
 /// Reads the mesh, remeshes it, carries its properties over and judges the remesh: all of `remesh`
-/// but its files. Shows progress.
-RemeshedInput remesh_input(const RemeshArguments& arguments, const MemoryCheck& check_memory,
-                           Scheduler& scheduler, ProgressLine& progress);
+/// but its files. Shows progress. `picture`: of one that will be drawn.
+RemeshedInput remesh_input(const RemeshRequest& request, const std::optional<PictureLook>& picture,
+                           EngineKind engine, const MemoryCheck& check_memory, Scheduler& scheduler,
+                           ProgressLine& progress);
 
 }  // namespace geolloyd

@@ -9,6 +9,7 @@
 #include "core/library/reference_runtime.h"
 #include "core/mesh/properties.h"
 #include "core/start/first_seeds.h"
+#include "core/surface/sizing/recipe.h"
 #include "geolloyd/threads.h"
 #include "tools/render/picture.h"
 #include "tools/run/seed_source.h"
@@ -42,9 +43,9 @@ std::uint64_t estimate_memory(const GraphPlan& graph, const SeedPlan& seeds, con
   const SeedInit init =
       seeds.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : seeds.init;
   size.has_coarse_graph = init == SeedInit::coarse;
-  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
   if (init == SeedInit::surface) {
-    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
+    size.fine_vertices =
+        size.vertices + (size.has_field ? most_vertices_per_site : vertices_per_site) * size.seeds;
   }
   if (work.picture) {
     size.samples = count_samples(mesh, work.picture->view, work.picture->size, executor);
@@ -61,7 +62,8 @@ PreparedInput prepare(const RunRequest& request, const RunWork& work, Runtime& r
                       ProgressLine& progress) {
   Executor& executor = runtime.executor();
   progress.stage("reading " + request.mesh.string());
-  LoadedInput loaded = load_input(request.mesh, executor, {request.has_properties, request.format}, request.repair);
+  LoadedInput loaded =
+      load_input(request.mesh, executor, {request.has_properties, request.format}, request.repair);
   const Mesh& mesh = loaded.input.mesh();
   SeedPlan seeds = request.seeds;
   std::optional<SeedSource> source;

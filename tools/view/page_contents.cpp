@@ -92,12 +92,11 @@ Bundle relax_contents(const FieldSource& field, const PreparedInput& start, cons
   return bundle;
 }
 
-Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Executor& executor) {
+Bundle remesh_contents(const RemeshedInput& done) {
   const Input& input = done.loaded.input;
   const Remesh& remesh = done.result.made.remesh;
   Bundle bundle = bundle_of(input);
-  add_field_of(arguments.field, input.mesh(), bundle, executor);
+  if (!done.field.empty()) add_field(bundle, done.field);
   add_remesh(bundle, remesh.mesh);
   add_fact(bundle, "remesh", counted(remesh.mesh.vertex_count(), "vertex", "vertices"));
   add_fact(bundle, "", counted(remesh.mesh.triangle_count(), "triangle", "triangles"));

@@ -26,7 +26,6 @@ Bundle relax_contents(const FieldSource& field, const PreparedInput& start, cons
                       std::span<const std::vector<NodeId>> course, Runtime& runtime);
 
 /// The mesh before and after `remesh`.
-Bundle remesh_contents(const RemeshArguments& arguments, const RemeshedInput& done,
-                       Executor& executor);
+Bundle remesh_contents(const RemeshedInput& done);
 
 }  // namespace geolloyd

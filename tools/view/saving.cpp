@@ -6,11 +6,11 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
+#include "tools/evaluation/attribute_transfer.h"
 #include "tools/files/csv.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/report.h"
-#include "tools/evaluation/attribute_transfer.h"
 #include "tools/run/dual.h"
 #include "tools/run/result.h"
 #include "tools/system/machine.h"

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
+#include "core/course/remesh_course.h"
 #include "core/regions/tessellation.h"
-#include "core/surface/result/remesh.h"
-#include "core/surface/substrate/surface_input.h"
 #include "geolloyd/errors.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/dual.h"
@@ -16,7 +15,6 @@
 #include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
 #include "tools/view/saving.h"
-#include "tools/view/site_watch.h"
 
 namespace geolloyd {
 namespace {
@@ -164,27 +162,24 @@ void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>
   RemeshOptions options;
   options.vertex_count = vertices;
   if (!next.field.empty()) options.field = tessellation_.field();
-  require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
-                                                             options, {}, runtime_.executor()));
-  const SurfaceFrame frame = frame_of(input.mesh(), runtime_.executor());
-  const auto keep_sites = [&](std::span<const Vec3> sites) {
-    std::vector<Vec3>& kept = remesh_->sites;
-    kept.resize(sites.size());
-    std::transform(sites.begin(), sites.end(), kept.begin(),
-                   [&](const Vec3& p) { return frame.to_mesh(p); });
+  RemeshCourse course{input.mesh(), tessellation_.edges(), std::move(options), runtime_};
+  course.hooks.keep_going = keep_going;
+  course.hooks.budget = [&](std::uint64_t bytes) { require_memory(input.file.string(), bytes); };
+  course.bytes = [&](std::size_t count, const RemeshOptions& asked) {
+    return estimate_remesh_memory(input, tessellation_.edges(), count, asked, {},
+                                  runtime_.executor());
   };
   std::optional<SessionRemesh> before = std::exchange(remesh_, std::move(next));
-  options.progress = [&](const RemeshProgress& progress) {
+  course.options.progress = [&](const RemeshProgress& progress) {
     remesh_->progress = progress;
+    remesh_->progress.place = nullptr;
+    remesh_->sites.clear();
+    for (std::size_t s = 0; s < progress.sites; ++s) remesh_->sites.push_back(progress.place(s));
     touch("sites");
-    return keep_going();
+    return true;
   };
   try {
-    remesh_->made = geolloyd::make_remesh(
-        input.mesh(), tessellation_.edges(), options,
-        watched([&](const FineMesh& fine) { return runtime_.make_surface_engine(fine); },
-                keep_sites),
-        runtime_.executor());
+    remesh_->made = run(std::move(course)).remesh;
   } catch (...) {
     layers_.erase("sites");
     remesh_ = std::move(before);

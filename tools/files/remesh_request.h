@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/course/field_source.h"
+#include "core/formats/mesh_formats.h"
+#include "geolloyd/remesh.h"
+#include "geolloyd/repair.h"
+
+namespace geolloyd {
+
+/// A remesh of a file that is asked for. Paths and names may be empty: then there is none.
+struct RemeshRequest {
+  std::filesystem::path mesh;
+  std::optional<MeshFormat> format;  ///< where the name of the mesh does not tell it
+  std::optional<RepairOptions> repair;
+  RemeshOptions options;       ///< but for what the next ones say
+  double tolerance = 0;        ///< largest distance to the input; 0: not given
+  bool is_percentage = false;  ///< the tolerance is one of the bounding box's diagonal
+  std::filesystem::path lengths_file;
+  std::filesystem::path densities_file;
+  FieldSource field;
+  std::filesystem::path edges_file;
+  std::filesystem::path fixed_file;
+  std::string labels;  ///< a property, borders between whose values are kept
+  bool carries_properties = true;
+};
+
+/// The files of a remesh; all but the first may be empty.
+struct RemeshFiles {
+  std::filesystem::path remesh;
+  std::filesystem::path map;
+  std::filesystem::path report;
+  std::filesystem::path picture;
+  std::filesystem::path page;
+};
+
+}  // namespace geolloyd
