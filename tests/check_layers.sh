@@ -19,8 +19,8 @@ core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
 core/surface/sizing: curvature field_metric sizing recipe
 core/surface/cells: cell_labels cell_pieces nearest_label paired_surface_engine reference_surface_engine surface_engine
-core/surface/features: creases curve_sites feature_curves patches
-core/surface/sites: site_balance site_levels site_relaxer
+core/surface/features: creases curve_sites patches
+core/surface/sites: site_balance site_levels
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph
 core/voronoi: dijkstra energy fingerprint forest growing_search partition subtree
@@ -37,7 +37,7 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation: closest_places embree_scene ground_truth point_queries site_energy statistics surface_distance vertex_search attribute_transfer edge_lengths likeness metric_quality
+tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
@@ -90,6 +90,9 @@ function rules() {
   forbid("", "knows Boost", "<boost/", "^tools/view$")
   forbid("", "knows CLI11", "<CLI/", "^tools/(cli|laboratory|commands)$")
   forbid("/include/", "is public, but includes what is not", "#include \"(core|parallel|tools)/", "")
+  forbid("^tools/", "names a struct of the command line",
+         "(^|[^A-Za-z_])[A-Z][a-z][A-Za-z]*Arguments([^A-Za-z_]|$)",  # RTC...Arguments are Embree
+         "^tools/(cli|laboratory|commands)$")
   forbid("^bench/", "needs the tools", "#include \"tools/", "")
 }
 

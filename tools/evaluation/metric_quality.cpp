@@ -7,7 +7,6 @@
 
 #include "core/base/hexagonal_energy.h"
 #include "core/base/loops.h"
-#include "core/surface/cells/cells.h"
 #include "core/surface/cells/surface_engine.h"
 #include "core/surface/result/site_places.h"
 #include "core/surface/sizing/field_metric.h"
