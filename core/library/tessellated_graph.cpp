@@ -29,7 +29,7 @@ bool has_usable_values(const TangentSpace& space) {
 }
 
 // What has length 1 but for rounding keeps its bits, so the surface's own fields do.
-Vec3 unit(const Vec3& direction) {
+Vec3 unit_direction(const Vec3& direction) {
   constexpr double rounding = 1e-14;
   const bool is_unit = std::abs(direction.squaredNorm() - 1) <= rounding;
   return is_unit ? direction : normalized(direction);
@@ -67,8 +67,8 @@ std::vector<TangentSpace> checked_field(std::span<const TangentSpace> field,
   }
   std::vector<TangentSpace> checked(field.begin(), field.end());
   for (std::size_t v = 0; v < field.size(); ++v) {
-    checked[v].tangent = unit(field[v].tangent);
-    checked[v].bitangent = unit(field[v].bitangent);
+    checked[v].tangent = unit_direction(field[v].tangent);
+    checked[v].bitangent = unit_direction(field[v].bitangent);
     if (has_usable_values(field[v])) continue;
     throw InvalidInput("field[" + std::to_string(v) +
                        "]: directions must be finite, magnitudes finite and not negative");

@@ -14,7 +14,7 @@
 namespace geolloyd {
 namespace {
 
-constexpr double least_flatness = 0.01;
+constexpr double least_flatness_of_a_place = 0.01;
 constexpr double no_flatness = 1e-6;  // in one line, but for rounding
 
 std::array<double, 3> as_key(const Vec3& p) {
@@ -103,7 +103,7 @@ class PlaceRepair {
 
   [[nodiscard]] bool is_to_mend(std::size_t t) const {
     const double flat = flatness_of(t);
-    return std::abs(flat) < no_flatness || (flat < least_flatness && is_all_outer(t));
+    return std::abs(flat) < no_flatness || (flat < least_flatness_of_a_place && is_all_outer(t));
   }
 
   [[nodiscard]] double flatness_of(std::size_t t) const {
@@ -115,7 +115,7 @@ class PlaceRepair {
     if (is_shared(place_[r])) flaws.weight += grave;
     for (const auto& [region, triangle] : of_region(triangles_at_, r)) {
       const double flat = flatness_of(triangle);
-      if (flat < least_flatness) flaws.weight += flat < no_flatness ? grave : 1;
+      if (flat < least_flatness_of_a_place) flaws.weight += flat < no_flatness ? grave : 1;
       flaws.flattest = std::min(flaws.flattest, flat);
     }
     return flaws;
