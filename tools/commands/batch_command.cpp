@@ -89,9 +89,8 @@ class Batches {
       progress_.stage("building the " + name_of(graph_kind_names, graph) + " graph");
       GraphArguments as_asked = arguments_.start.graph;
       as_asked.kind = graph;
-      // Numbers of seeds differ; none takes more memory than one seed, whose region is all.
-      const Purpose purpose{arguments_.engine.kind, false, {}, {}, false};
-      const BuiltGraph built = build_graph(as_asked, loaded_, purpose, scheduler_);
+      const std::size_t most_seeds = *std::max_element(ladder_.begin(), ladder_.end());
+      const BuiltGraph built = build_graph(as_asked, loaded_, most_seeds, scheduler_);
       const MeshGraph& mesh_graph = built.mesh_graph;
       bytes_of_run_ = built.memory_estimate;
       for (const std::size_t k : ladder_) {

@@ -45,7 +45,7 @@ void add_generate_command(CLI::App& program) {
   command->callback([arguments] {
     check_mesh_target(arguments->output, {});
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
-      announce_memory(arguments->output.string(), memory_to_generate(arguments->triangles));
+      announce_memory(arguments->output.string(), bytes_to_make(arguments->triangles, 0));
     }
     const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
     write(arguments->output, mesh);

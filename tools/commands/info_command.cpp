@@ -11,7 +11,7 @@
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
-#include "tools/system/memory_estimate.h"
+#include "tools/run/memory_need.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/summary.h"
 #include "tools/words/facts_text.h"
@@ -22,8 +22,7 @@ namespace {
 
 void run_info(const std::filesystem::path& file) {
   Input input{file, read_within_limits(file), {}, {}};
-  announce_memory(file.string(),
-                  memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
+  announce_memory(file.string(), bytes_to_read(size_of(input.loaded)));
   const MeshEdges edges = find_edges(input.mesh());
   input.facts = check_mesh(input.mesh(), edges);
   const MeshTopology topology = find_topology(input.mesh(), edges);

@@ -179,7 +179,6 @@ void check_checkpoint(const RelaxArguments& arguments) {
 
 Purpose purpose_of(const RelaxArguments& arguments) {
   Purpose purpose;
-  purpose.engine = arguments.engine.kind;
   purpose.has_dual = arguments.makes_dual();
   purpose.has_ground_truth =
       arguments.ground_truth ||

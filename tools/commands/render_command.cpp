@@ -17,8 +17,8 @@
 #include "tools/render/picture.h"
 #include "tools/render/sheet.h"
 #include "tools/run/dual.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/view/layers.h"
 #include "tools/view/page.h"
@@ -120,10 +120,9 @@ class Renderer {
         load_input(arguments_.start.mesh, scheduler_, {arguments_.start.has_properties}).input;
     const Mesh& mesh = start_.input.mesh();
     const PictureArguments& look = arguments_.picture;
-    announce_memory(arguments_.start.mesh.string(),
-                    memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                   count_samples(mesh, look.view, look.size, scheduler_),
-                                   bytes_of(start_.input.loaded.properties)));
+    WorkSize size = size_of(start_.input.loaded);
+    size.samples = count_samples(mesh, look.view, look.size, scheduler_);
+    announce_memory(arguments_.start.mesh.string(), bytes_to_draw(size));
   }
 
   void find_partition() {

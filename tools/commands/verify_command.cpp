@@ -17,6 +17,7 @@
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/remesh.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"
@@ -166,9 +167,11 @@ void verify_remesh(const VerifyArguments& a) {
   options.sizing = read_sizing(a.sizing, loaded);
   options.field = find_field(a.start.graph, loaded.input.mesh(), loaded.edges, scheduler);
   options.features = read_features(a.features, loaded);
+  WorkSize size = size_of(loaded.input.loaded);
+  size.sites = a.vertices;
   announce_memory(loaded.input.file.string(),
-                  estimate_remesh_memory(loaded.input, loaded.edges, a.vertices, options,
-                                         std::nullopt, scheduler));
+                  memory_to_remesh(loaded.input.mesh(), loaded.edges, loaded.input.facts.area,
+                                   options, size, scheduler));
   catch_interrupts();
   SurfaceComparison comparison;
   const MakeSurfaceEngine make_pairs = make_paired_surface_engines(

@@ -11,8 +11,8 @@
 #include "tools/evaluation/hexagonal_energy.h"
 #include "tools/evaluation/point_queries.h"
 #include "tools/evaluation/site_energy.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
@@ -52,9 +52,9 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
   const JudgedMesh& remesh = record.remesh;
   Likeness& likeness = record.likeness.emplace();
   const MeshEdges edges = load(input.original, likeness.original, scheduler, progress);
-  announce_memory(
-      input.original.string(),
-      memory_to_judge(remesh.input.facts.triangles, likeness.original.input.facts.triangles));
+  WorkSize size = size_of(likeness.original.input.loaded);
+  size.has_field = !input.field.vfield.empty();
+  announce_memory(input.original.string(), bytes_to_judge(size_of(remesh.input.loaded), size));
   require_area(remesh);
   require_area(likeness.original);
   progress.stage("measuring distances");
@@ -78,7 +78,7 @@ QualityRecord judge(const QualityInput& input, Scheduler& scheduler, ProgressLin
   const MeshEdges edges = load(input.remesh, record.remesh, scheduler, progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
-    announce_memory(input.remesh.string(), memory_to_judge(record.remesh.input.facts.triangles, 0));
+    announce_memory(input.remesh.string(), bytes_to_judge(size_of(record.remesh.input.loaded), {}));
   } else {
     compare(input, edges, record, scheduler, progress);
   }

@@ -3,18 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "core/base/loops.h"
 #include "core/base/stopwatch.h"
 #include "core/formats/vertex_list.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/properties.h"
 #include "core/surface/cells/reference_surface_engine.h"
-#include "core/surface/features/creases.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/field_metric.h"
 #include "core/surface/sizing/sizing.h"
@@ -22,74 +19,11 @@
 #include "geolloyd/errors.h"
 #include "parallel/surface/parallel_surface_engine.h"
 #include "tools/evaluation/surface_distance.h"
-#include "tools/render/picture.h"
 #include "tools/run/attribute_transfer.h"
 #include "tools/system/interrupt.h"
-#include "tools/system/memory_estimate.h"
 
 namespace geolloyd {
 namespace {
-
-// How many vertices the surface on which sites move has, about: edges that are longer are halved
-// again and again (core/surface/substrate/split_edges.h).
-std::uint64_t estimate_fine_vertices(const Mesh& mesh, const MeshEdges& edges, double longest,
-                                     Scheduler& scheduler) {
-  const auto pieces = [&](VertexId a, VertexId b) {
-    const double length = norm(mesh.positions[a] - mesh.positions[b]);
-    double count = 1;
-    while (length > longest * count) count *= 2;
-    return count;
-  };
-  // Whole numbers: sums are exact.
-  auto added = parallel_reduce<double>(scheduler, edges.size(), small_items,
-                                       [&](std::size_t begin, std::size_t end) {
-                                         double sum = 0;
-                                         for (std::size_t e = begin; e < end; ++e) {
-                                           sum += pieces(edges.ends[e][0], edges.ends[e][1]) - 1;
-                                         }
-                                         return sum;
-                                       });
-  added += parallel_reduce<double>(
-      scheduler, mesh.triangle_count(), small_items, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t t = begin; t < end; ++t) {
-          const auto& [a, b, c] = mesh.triangles[t];
-          const double rows = std::min({pieces(a, b), pieces(b, c), pieces(c, a)});
-          sum += (rows - 1) * (rows - 2) / 2;
-        }
-        return sum;
-      });
-  // Measured: up to 1.65 times that, because halving makes diagonals that are long again.
-  constexpr double diagonals = 1.7;
-  constexpr double most = 1e12;
-  return mesh.vertex_count() + static_cast<std::uint64_t>(std::min(most, diagonals * added));
-}
-
-bool varies(const RemeshOptions& options) {
-  const SizingOptions& sizing = options.sizing;
-  return !sizing.edge_lengths.empty() || !sizing.densities.empty() || sizing.adapt > 0 ||
-         !options.field.empty();
-}
-
-// With features, edges are shorter (core/surface/result/remesh.cpp). Whether there are any is only
-// asked where it makes a difference.
-std::uint64_t estimate_fine_vertices(const Input& input, const MeshEdges& edges,
-                                     std::size_t vertices, const RemeshOptions& options,
-                                     Scheduler& scheduler) {
-  const double area = input.facts.area;
-  const double root = std::sqrt(area / static_cast<double>(vertices));
-  const double spacing = spacing_of(area, static_cast<double>(vertices));
-  const std::uint64_t without = estimate_fine_vertices(input.mesh(), edges, 0.6 * root, scheduler);
-  const std::uint64_t with = estimate_fine_vertices(input.mesh(), edges, 0.42 * spacing, scheduler);
-  if (varies(options)) {
-    constexpr std::uint64_t per_vertex = 24;  // edges shorter than 0.42 spacings are not halved
-    return std::max(with, input.mesh().vertex_count() + per_vertex * vertices);
-  }
-  if (with <= without + without / 8) return with;
-  const bool has_features =
-      !find_features(input.mesh(), edges, options.features, spacing, scheduler).empty();
-  return has_features ? with : without;
-}
 
 // In the metric of which each vertex has the shape, if there is one.
 std::optional<EdgeLengthRatios> measure_ratios(const Remesh& remesh, const MeshEdges& edges,
@@ -195,24 +129,6 @@ std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& optio
         loaded.input.facts.bounding_diagonal));
   }
   return std::max<std::size_t>(4, static_cast<std::size_t>(count));
-}
-
-std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
-                                     std::size_t vertices, const RemeshOptions& options,
-                                     const std::optional<PictureArguments>& picture,
-                                     Scheduler& scheduler) {
-  const Mesh& mesh = input.mesh();
-  RemeshSize size;
-  size.vertices = mesh.vertex_count();
-  size.triangles = mesh.triangle_count();
-  size.edges = edges.size();
-  size.fine_vertices = estimate_fine_vertices(input, edges, vertices, options, scheduler);
-  size.remesh_vertices = vertices;
-  size.has_field = !options.field.empty();
-  size.threads = scheduler.threads();
-  size.property_bytes = bytes_of(input.loaded.properties);
-  if (picture) size.samples = count_samples(mesh, picture->view, picture->size, scheduler);
-  return memory_to_remesh(size);
 }
 
 TimedRemesh time_remesh(const LoadedInput& loaded, RemeshOptions options,

@@ -36,12 +36,6 @@ FeatureOptions read_features(const FeatureArguments& arguments, const LoadedInpu
 std::size_t about_how_many(const LoadedInput& loaded, const RemeshOptions& options,
                            Scheduler& scheduler);
 
-/// Bytes, of the whole run, with a picture if one will be drawn.
-std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
-                                     std::size_t vertices, const RemeshOptions& options,
-                                     const std::optional<PictureArguments>& picture,
-                                     Scheduler& scheduler);
-
 /// A surface remesh, and how long its parts took.
 struct TimedRemesh {
   Remesh remesh;

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "tools/render/picture.h"
 #include "tools/run/attribute_transfer.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
 
 namespace geolloyd {
@@ -60,10 +62,15 @@ class Remesher {
   }
 
   void check_memory(std::size_t vertices, RemeshResult& result) {
-    const std::uint64_t bytes = estimate_remesh_memory(
-        loaded_.input, loaded_.edges, vertices, options_,
-        arguments_.picture_file.empty() ? std::nullopt : std::optional(arguments_.picture),
-        scheduler_);
+    const Mesh& mesh = loaded_.input.mesh();
+    WorkSize size = size_of(loaded_.input.loaded);
+    size.sites = vertices;
+    if (!arguments_.picture_file.empty()) {
+      const PictureArguments& picture = arguments_.picture;
+      size.samples = count_samples(mesh, picture.view, picture.size, scheduler_);
+    }
+    const std::uint64_t bytes =
+        memory_to_remesh(mesh, loaded_.edges, loaded_.input.facts.area, options_, size, scheduler_);
     check_memory_(bytes);
     result.memory_estimate = std::max(result.memory_estimate, bytes);
   }

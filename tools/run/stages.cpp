@@ -19,8 +19,8 @@
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/render/picture.h"
 #include "tools/run/measured_run.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/seed_source.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
@@ -30,6 +30,20 @@ MeshGraphOptions graph_options(const GraphArguments& arguments, const LoadedInpu
                                Executor& executor) {
   return {arguments.kind, arguments.norm,
           find_field(arguments, loaded.input.mesh(), loaded.edges, executor), arguments.averaging};
+}
+
+std::uint64_t memory_to_relax(const GraphArguments& graph, const LoadedInput& loaded,
+                              std::size_t seeds, const Purpose& purpose, Scheduler& scheduler) {
+  const Mesh& mesh = loaded.input.mesh();
+  WorkSize size = size_of(loaded.input.loaded);
+  size.sites = seeds;
+  size.has_field = !graph.vfield.empty();
+  size.has_cross_field = graph.has_cross_field();
+  size.has_ground_truth = purpose.has_ground_truth;
+  if (purpose.picture) {
+    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
+  }
+  return memory_to_relax(mesh, loaded.edges, graph.kind, size, scheduler);
 }
 
 // Before the graph is made, whose memory is not taken yet. Meanwhile the edges give theirs back,
@@ -72,42 +86,6 @@ Scheduler make_scheduler(const ThreadArguments& threads) {
   return Scheduler(threads.count, threads.backend);
 }
 
-std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
-                              const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
-                              Scheduler& scheduler) {
-  const Mesh& mesh = input.mesh();
-  const GraphKind kind = arguments.kind;
-  RunSize size;
-  size.vertices = mesh.vertex_count();
-  size.triangles = mesh.triangle_count();
-  size.edges = edges.size();
-  size.nodes =
-      (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
-  size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_arcs(mesh, edges, kind, scheduler);
-  check_arc_count(size.links);
-  size.seeds = std::clamp<std::uint64_t>(seeds, 1, size.nodes);
-  size.threads = scheduler.threads();
-  size.has_field = !arguments.vfield.empty();
-  size.has_curvature_field = arguments.has_curvature_field();
-  size.has_cross_field = arguments.has_cross_field();
-  size.is_reference = purpose.engine == EngineKind::reference;
-  size.has_ground_truth = purpose.has_ground_truth;
-  size.has_dual = purpose.has_dual;
-  size.property_bytes = bytes_of(input.loaded.properties);
-  const SeedInit init =
-      purpose.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : purpose.init;
-  size.has_coarse_graph = init == SeedInit::coarse;
-  // Some ten vertices for each site, where the mesh has fewer (start/surface_start.h).
-  if (init == SeedInit::surface) {
-    size.fine_vertices = size.vertices + (size.has_field ? 24 : 10) * size.seeds;
-  }
-  if (purpose.picture) {
-    size.samples = count_samples(mesh, purpose.picture->view, purpose.picture->size, scheduler);
-  }
-  return memory_to_run(size);
-}
-
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor) {
   if (arguments.vfield.empty()) return {};
@@ -117,9 +95,8 @@ std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh
 }
 
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler) {
-  const std::uint64_t estimate =
-      estimate_memory(arguments, loaded.input, loaded.edges, 1, purpose, scheduler);
+                       std::size_t seeds, Scheduler& scheduler) {
+  const std::uint64_t estimate = memory_to_relax(arguments, loaded, seeds, {}, scheduler);
   announce_memory(loaded.input.file.string(), estimate);
   return {make_mesh_graph(loaded.input.mesh(), loaded.edges,
                           graph_options(arguments, loaded, scheduler), scheduler),
@@ -128,20 +105,18 @@ BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loade
 
 // What takes memory gives it back as soon as nothing needs it: most of the edges before the places
 // of seeds are found, and these before there is a graph.
-Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
               ProgressLine& progress) {
   const SeedArguments& seeds = arguments.seeds;
   const GraphKind kind = arguments.graph.kind;
-  if (seeds.file.empty()) purpose.init = seeds.init;
   Start start;
   progress.stage("reading " + arguments.mesh.string());
   LoadedInput loaded =
       load_input(arguments.mesh, scheduler, {arguments.has_properties}, arguments.repair);
   std::optional<SeedSource> source;
   if (!seeds.file.empty()) source.emplace(seeds);
-  start.memory_estimate =
-      estimate_memory(arguments.graph, loaded.input, loaded.edges,
-                      source ? source->most() : seeds.count, purpose, scheduler);
+  start.memory_estimate = memory_to_relax(
+      arguments.graph, loaded, source ? source->most() : seeds.count, purpose, scheduler);
   announce_memory(loaded.input.file.string(), start.memory_estimate);
 
   progress.stage("building the " + name_of(graph_kind_names, kind) + " graph");

@@ -23,10 +23,8 @@ Scheduler make_scheduler(const ThreadArguments& threads);
 
 /// What a command does with a graph, as far as its memory goes by that.
 struct Purpose {
-  EngineKind engine = EngineKind::parallel;
   bool has_ground_truth = false;            ///< of the result or of the remesh
   std::optional<PictureArguments> picture;  ///< empty: none is drawn
-  SeedInit init = SeedInit::farthest;       ///< prepare() knows
   bool has_dual = false;                    ///< its dual is made
 };
 
@@ -34,20 +32,15 @@ struct Purpose {
 std::vector<TangentSpace> find_field(const FieldArguments& arguments, const Mesh& mesh,
                                      const MeshEdges& edges, Executor& executor);
 
-/// Bytes that a run with so many seeds takes at most.
-std::uint64_t estimate_memory(const GraphArguments& arguments, const Input& input,
-                              const MeshEdges& edges, std::size_t seeds, const Purpose& purpose,
-                              Scheduler& scheduler);
-
 struct BuiltGraph {
   MeshGraph mesh_graph;
-  std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it with a single seed
+  std::uint64_t memory_estimate = 0;  ///< bytes, of a run on it
 };
 
-/// A graph of a mesh of which further ones will be built. Throws InvalidInput where a run on it
-/// needs more memory than there is, whatever the number of seeds.
+/// A graph of a mesh of which further ones will be built, for runs with up to so many seeds. Throws
+/// InvalidInput where such a run needs more memory than there is.
 BuiltGraph build_graph(const GraphArguments& arguments, const LoadedInput& loaded,
-                       const Purpose& purpose, Scheduler& scheduler);
+                       std::size_t seeds, Scheduler& scheduler);
 
 /// All that there is before a relaxation begins.
 struct Start {
@@ -70,7 +63,7 @@ struct Start {
 
 /// Reads the mesh, builds its graph, and chooses or reads the first seeds. Throws InvalidInput
 /// where the whole run needs more memory than there is.
-Start prepare(const StartArguments& arguments, Purpose purpose, Scheduler& scheduler,
+Start prepare(const StartArguments& arguments, const Purpose& purpose, Scheduler& scheduler,
               ProgressLine& progress);
 
 /// A partition and the parallel engine that has just found it.

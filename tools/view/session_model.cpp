@@ -11,6 +11,7 @@
 #include "geolloyd/errors.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/dual.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/remesh.h"
 #include "tools/system/memory_limit.h"
 #include "tools/view/command_lines.h"
@@ -164,8 +165,11 @@ void SessionModel::make_remesh(std::size_t vertices, const std::function<bool()>
   RemeshOptions options;
   options.vertex_count = vertices;
   if (!next.field.empty()) options.field = tessellation_.field();
-  require_memory(input.file.string(), estimate_remesh_memory(input, tessellation_.edges(), vertices,
-                                                             options, {}, scheduler_));
+  WorkSize size = size_of(input.loaded);
+  size.sites = vertices;
+  require_memory(input.file.string(),
+                 memory_to_remesh(input.mesh(), tessellation_.edges(), input.facts.area, options,
+                                  size, scheduler_));
   const SurfaceFrame frame = frame_of(input.mesh(), scheduler_);
   const auto keep_sites = [&](std::span<const Vec3> sites) {
     std::vector<Vec3>& kept = remesh_->sites;

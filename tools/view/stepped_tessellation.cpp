@@ -13,6 +13,7 @@
 #include "geolloyd/errors.h"
 #include "parallel/library/scheduler_runtime.h"
 #include "tools/run/measured_run.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/seed_source.h"
 #include "tools/system/memory_limit.h"
 
@@ -112,11 +113,11 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   const Mesh& mesh = start_.input.mesh();
   const bool is_new = !engine_ || !same_graph(options.graph, options_.graph);
   const SeedArguments& seeds = options.seeds;
-  Purpose purpose;
-  purpose.init = seeds.init;
-  purpose.has_dual = true;
-  const std::uint64_t bytes =
-      estimate_memory(options.graph, start_.input, edges_, seeds.count, purpose, scheduler_);
+  WorkSize size = size_of(start_.input.loaded);
+  size.sites = seeds.count;
+  size.has_field = !options.graph.vfield.empty();
+  size.has_cross_field = options.graph.has_cross_field();
+  const std::uint64_t bytes = memory_to_relax(mesh, edges_, options.graph.kind, size, scheduler_);
   require_memory(start_.input.file.string(), bytes);
   std::optional<Made> made;
   if (is_new) {
