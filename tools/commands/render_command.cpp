@@ -122,6 +122,8 @@ class Renderer {
     const PictureArguments& look = arguments_.picture;
     WorkSize size = size_of(start_.input.loaded);
     size.samples = count_samples(mesh, look.view, look.size, scheduler_);
+    size.has_field = !arguments_.start.graph.vfield.empty();
+    size.has_cross_field = arguments_.start.graph.has_cross_field();
     announce_memory(arguments_.start.mesh.string(), bytes_to_draw(size));
   }
 

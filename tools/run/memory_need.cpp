@@ -78,8 +78,11 @@ std::uint64_t memory_to_relax(const Mesh& mesh, const MeshEdges& edges, GraphKin
   size.threads = executor.threads();
   size.nodes =
       (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
-  const std::uint64_t links = count_arcs(mesh, edges, kind, executor);
+  std::uint64_t links = count_arcs(mesh, edges, kind, executor);
   check_arc_count(links);
+  if (kind == GraphKind::triangle_dense) {  // a pair at an edge was counted there and at both ends
+    links -= std::min<std::uint64_t>(links, 2 * edges.size());
+  }
   size.arcs = 2 * links;
   size.sites = std::min(size.sites, size.nodes);
   return bytes_to_relax(size);

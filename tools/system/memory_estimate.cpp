@@ -9,10 +9,8 @@ using Bytes = std::uint64_t;
 
 // The program and its libraries: about 18 MB. The rest is what the allocator keeps of what was
 // freed.
-constexpr Bytes process = 42'000'000;
-// Rays are found in a tree of triangles, and so are the closest points of ground truth and
-// properties.
-constexpr Bytes per_sample = 28;
+constexpr Bytes process = 45'000'000;
+constexpr Bytes per_sample = 24;  // of a picture
 
 // Sorting into buckets has counts for up to eight threads at once.
 Bytes of_threads(const WorkSize& s, Bytes per_vertex) {
@@ -34,7 +32,8 @@ Bytes bytes_to_relax(const WorkSize& s) {
   const Bytes regions = 200 * s.nodes + 650 * s.nodes / std::max<Bytes>(s.sites, 1) +
                         1230 * s.sites + 235 * field_vertices + (has_tree ? 116 * s.triangles : 0);
   const Bytes picture =
-      s.samples > 0 ? 40 * s.nodes + 17 * s.arcs + 10 * s.triangles + per_sample * s.samples : 0;
+      s.samples > 0 ? 40 * s.nodes + 17 * s.arcs + 10 * s.triangles + (per_sample + 4) * s.samples
+                    : 0;
   return process + of_threads(s, 16) + 106 * s.vertices + s.property_bytes +
          std::max({fields, graph, regions, picture});
 }
@@ -50,13 +49,15 @@ Bytes bytes_to_repair(const WorkSize& s) {
 }
 
 Bytes bytes_to_draw(const WorkSize& s) {
-  return bytes_to_read(s) + 70 * s.triangles + per_sample * s.samples;
+  const Bytes per_vertex = s.has_cross_field ? 620 : s.has_field ? 265 : 0;
+  return bytes_to_read(s) + per_vertex * s.vertices + per_sample * s.samples;
 }
 
 Bytes bytes_to_judge(const WorkSize& remesh, const WorkSize& original) {
   if (original.triangles == 0) return bytes_to_read(remesh);
-  return process + 215 * (remesh.triangles + original.triangles) +
-         (original.has_field ? 2800 * remesh.vertices + 100 * original.vertices : 0);
+  return process + 80 * (remesh.triangles + original.triangles) +
+         140 * std::max(remesh.triangles, original.triangles) +
+         (original.has_field ? 2600 * remesh.vertices + 100 * original.vertices : 0);
 }
 
 Bytes bytes_to_make(Bytes triangles, Bytes before) {
