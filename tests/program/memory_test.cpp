@@ -302,7 +302,7 @@ TEST_F(Frugality, OfRelax) {
 // A tessellation has properties.
 TEST_F(Frugality, OfRemesh) {
   const std::string remesh = "remesh MESH -o OUT.ply --threads 2 -n ";
-  expect_frugal("2000", {remesh + "20000", remesh + "20000 --features 20"});
+  expect_frugal("2000", {remesh + "10000", remesh + "10000 --features 20"});
   expect_frugal("200000", {relax_mesh + "-k 500", remesh + "500", remesh + "5000 --adapt 1",
                            remesh + "500 --vfield curvature", remesh + "500 --engine reference",
                            remesh + "500 --size 512 --picture OUT.png",
