@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "core/mesh/mesh_edges.h"
-#include "core/mesh/properties.h"
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
 #include "tools/commands/commands.h"

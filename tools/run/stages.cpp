@@ -1,6 +1,5 @@
 #include "tools/run/stages.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -12,7 +11,6 @@
 #include "core/mesh/cross_field.h"
 #include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/mesh/properties.h"
 #include "core/regions/regions_of_nodes.h"
 #include "core/seeds/seed_places.h"
 #include "core/start/first_seeds.h"
