@@ -37,7 +37,7 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search
+tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search remesh_figures tolerance_search
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system

@@ -1,5 +1,7 @@
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -7,7 +9,6 @@
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
 #include "tools/system/available_memory.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
 
@@ -91,45 +92,6 @@ TEST(MemoryLimit, AnnouncesALargeRunOnce) {
   progress.announce_memory("first", 3'000'000'000);
   progress.announce_memory("second", 4'000'000'000);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "first: takes up to 3.0 GB of memory\n");
-}
-
-TEST(MemoryEstimate, GrowsWithEverythingThatIsAskedFor) {
-  RunSize size;
-  size.vertices = size.nodes = size.seeds = 1'000'000;
-  size.triangles = 2'000'000;
-  size.edges = size.links = 3'000'000;
-  const std::uint64_t plain = memory_to_run(size);
-  EXPECT_GT(plain, memory_to_check(size.vertices, size.triangles));
-  const auto with = [&](auto change) {
-    RunSize more = size;
-    change(more);
-    return memory_to_run(more);
-  };
-  EXPECT_GT(with([](RunSize& s) { s.links *= 4; }), plain);
-  EXPECT_GT(with([](RunSize& s) { s.nodes *= 3; }), plain);
-  EXPECT_GT(with([](RunSize& s) { s.has_ground_truth = true; }), plain);
-  EXPECT_GT(with([](RunSize& s) { s.samples = 100'000'000; }), plain);
-  EXPECT_GT(with([](RunSize& s) { s.threads = 64; }), plain);
-  EXPECT_GT(with([](RunSize& s) { s.seeds = 1; }), plain - 1000 * size.seeds);
-}
-
-TEST(MemoryEstimate, OfARemeshGrowsWithEverythingThatIsAskedFor) {
-  RemeshSize size;
-  size.vertices = size.fine_vertices = 1'000'000;
-  size.triangles = 2'000'000;
-  size.edges = 3'000'000;
-  size.remesh_vertices = 1000;
-  const std::uint64_t plain = memory_to_remesh(size);
-  EXPECT_GT(plain, memory_to_check(size.vertices, size.triangles));
-  const auto with = [&](auto change) {
-    RemeshSize more = size;
-    change(more);
-    return memory_to_remesh(more);
-  };
-  EXPECT_GT(with([](RemeshSize& s) { s.fine_vertices *= 2; }), plain);
-  EXPECT_GT(with([](RemeshSize& s) { s.remesh_vertices *= 10; }), plain);
-  EXPECT_GT(with([](RemeshSize& s) { s.samples = 100'000'000; }), plain);
-  EXPECT_GT(with([](RemeshSize& s) { s.threads = 64; }), plain);
 }
 
 // Names the figure, and does nothing.
@@ -253,93 +215,107 @@ TEST_F(Program, MeetsTheLimitWhereNothingCouldBeForeseen) {
       "out of memory, of which 100 MB are allowed");
 }
 
-// Runs `command` with as little as it says that it needs, to the next MB.
-Outcome run_with_least_memory(const std::string& command) {
-  std::string limit = "20M";
-  for (int tries = 0;; ++tries) {
-    Outcome outcome = geolloyd_with(command + " --memory-limit " + limit);
-    std::smatch figure;
-    const bool refused =
-        std::regex_search(outcome.text, figure, std::regex("needs about ([0-9]+) MB"));
-    if (!refused || tries == 5) return outcome;
-    limit = std::to_string(std::stoul(figure[1]) + 1) + "M";
+struct FrugalRun {
+  int status = -1;
+  std::string text;
+  double asked = 0;  // MB
+  double peak = 0;   // MB
+};
+
+FrugalRun run_with(double limit, const std::string& command, const fs::path& text) {
+  const std::string line = "exec " GEOLLOYD_PROGRAM " " + command + " --memory-limit " +
+                           std::to_string(std::lround(limit)) + "M > " + text.string() + " 2>&1";
+  const pid_t id = ::fork();
+  if (id == 0) {
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(127);
   }
+  int status = 0;
+  rusage used{};
+  ::wait4(id, &status, 0, &used);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(text), limit,
+          static_cast<double>(used.ru_maxrss) * 1024e-6};
 }
 
-// Embree and the allocator reserve more than they touch, and only that is estimated.
-TEST_F(Program, FinishesWithTheMemoryItAsksFor) {
-  if (under_sanitizer) GTEST_SKIP();
-  const std::string picture = (folder_.path() / "p.png").string();
-  for (const std::string triangles : {"2000", "60000"}) {
+// With as little as it says that it needs, to the next MB.
+FrugalRun run_with_least_memory(const std::string& command, const fs::path& text) {
+  FrugalRun run = run_with(1, command, text);
+  std::smatch figure;
+  while (std::regex_search(run.text, figure, std::regex("needs about ([0-9]+) MB"))) {
+    const double needed = std::stod(figure[1]) + 1;
+    if (needed <= run.asked) break;
+    run = run_with(needed, command, text);
+  }
+  return run;
+}
+
+class Frugality : public Program {
+ protected:
+  void SetUp() override {
+    if (under_sanitizer) GTEST_SKIP();
+    Program::SetUp();
+  }
+
+  // MESH and OUT in a command stand for files.
+  void expect_frugal(const std::string& triangles, const std::vector<std::string>& commands) {
     const std::string mesh = (folder_.path() / (triangles + ".ply")).string();
     ASSERT_EQ(geolloyd_with("generate creature -t " + triangles + " -o " + mesh).status, 0);
-    const std::string relax = "relax " + mesh +
-                              " -k 50 --max-greedy-steps 1 --max-macrosteps 1 -o " +
-                              out().string() + " --threads ";
-    for (const std::string& command :
-         {relax + "2", relax + "2 -g vertex-dense", relax + "2 -g triangle",
-          relax + "2 -g triangle-dense", relax + "2 -g mixed", relax + "2 -g vertex-far",
-          relax + "2 -g vertex-far --norm linf --vfield cross", relax + "2 --engine reference",
-          relax + "2 --frontier delta", relax + "1 --ground-truth", relax + "2 --ground-truth",
-          relax + "16 --ground-truth", relax + "2 --backend openmp --ground-truth",
-          relax + "2 -g triangle --dual-vertices centroids",
-          relax + "2 --picture " + picture + " --size 256",
-          "render " + mesh + " --size 256 -o " + picture, "quality " + mesh,
-          "quality " + mesh + " --original " + mesh}) {
-      const Outcome outcome = run_with_least_memory(command);
-      EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.text;
+    for (std::string command : commands) {
+      command = std::regex_replace(command, std::regex("MESH"), mesh);
+      command = std::regex_replace(command, std::regex("OUT"), out().string());
+      expect_frugal(command);
     }
   }
+
+  // The program itself and what the allocator keeps of what was freed: up to 60 MB.
+  void expect_frugal(const std::string& command) {
+    const FrugalRun run = run_with_least_memory(command, out("text"));
+    EXPECT_EQ(run.status, 0) << command << "\n" << run.text;
+    EXPECT_LE(run.peak, run.asked) << command;
+    EXPECT_LE(run.asked, 1.2 * run.peak + 60) << command;
+  }
+};
+
+const std::string relax_mesh = "relax MESH -o OUT --max-greedy-steps 1 --max-macrosteps 1 ";
+
+TEST_F(Frugality, OfSmallMeshes) {
+  expect_frugal("2000",
+                {relax_mesh + "-k 50 --threads 1", relax_mesh + "-k 50 --threads 16",
+                 relax_mesh + "-k 50 -g triangle --backend openmp --ground-truth",
+                 relax_mesh + "-k 50 --picture OUT.png --size 256",
+                 "remesh MESH -o OUT.ply -n 4000 --threads 16", "render MESH -o OUT.png --size 256",
+                 "quality MESH --original MESH", "repair MESH -o OUT.ply", "info MESH"});
 }
 
-// On a mesh so large that the program itself counts for little.
-TEST_F(Program, HoldsNoMoreMemoryThanEstimatedAndNotMuchLess) {
-  if (under_sanitizer) GTEST_SKIP();
-  ASSERT_EQ(geolloyd_with("generate creature -t 200000 -o " + mesh_.string()).status, 0);
-  for (const std::string options :
-       {"vertex", "vertex-dense", "triangle", "triangle-dense", "mixed", "vertex-far",
-        "vertex-far --norm linf --vfield cross", "vertex --engine reference",
-        "vertex --frontier delta", "triangle --dual-vertices centroids", "vertex --ground-truth"}) {
-    const Outcome outcome =
-        relax("-k 500 --threads 2 --max-greedy-steps 2 --max-macrosteps 1 -g " + options);
-    ASSERT_EQ(outcome.status, 0) << outcome.text;
-    const auto report = nlohmann::json::parse(read_file(out() / "report.json"));
-    const auto peak = report["peak_memory_bytes"].get<std::uint64_t>();
-    const auto estimate = report["memory_estimate_bytes"].get<std::uint64_t>();
-    EXPECT_LE(peak, estimate) << options;
-    EXPECT_LT(estimate, 2 * peak + 64'000'000) << options;
-  }
+TEST_F(Frugality, OfRelax) {
+  const std::string relax = relax_mesh + "--threads 2 ";
+  expect_frugal("200000", {relax + "-k 1 -g triangle", relax + "-k 500", relax + "-k 20000",
+                           relax + "-k 500 -g vertex-dense", relax + "-k 500 -g triangle",
+                           relax + "-k 20000 -g triangle-dense", relax + "-k 500 -g mixed",
+                           relax + "-k 500 -g vertex-far", relax + "-k 500 --vfield curvature",
+                           relax + "-k 500 -g mixed --norm linf --vfield cross",
+                           relax + "-k 500 --ground-truth", relax + "-k 500 --engine reference",
+                           relax + "-k 500 -g triangle --dual-vertices centroids",
+                           relax + "-k 500 --frontier delta --picture OUT.png --size 512"});
+  expect_frugal("1000000", {relax + "-k 500 -g mixed"});
 }
 
-TEST_F(Program, FinishesARemeshWithTheMemoryItAsksFor) {
-  if (under_sanitizer) GTEST_SKIP();
-  ASSERT_EQ(geolloyd_with("generate creature -t 60000 -o " + mesh_.string()).status, 0);
-  const std::string picture = (folder_.path() / "p.png").string();
-  for (const std::string& options :
-       {std::string("--threads 1"), std::string("--threads 16"), std::string("--engine reference"),
-        "--size 256 --picture " + picture}) {
-    const Outcome outcome = run_with_least_memory("remesh " + mesh_.string() + " -n 200 -o " +
-                                                  out("r.ply").string() + " " + options);
-    EXPECT_EQ(outcome.status, 0) << options << "\n" << outcome.text;
-  }
+// A tessellation has properties.
+TEST_F(Frugality, OfRemesh) {
+  const std::string remesh = "remesh MESH -o OUT.ply --threads 2 -n ";
+  expect_frugal("2000", {remesh + "10000", remesh + "10000 --features 20"});
+  expect_frugal("200000", {relax_mesh + "-k 500", remesh + "500", remesh + "5000 --adapt 1",
+                           remesh + "500 --vfield curvature", remesh + "500 --engine reference",
+                           remesh + "500 --size 512 --picture OUT.png",
+                           "remesh OUT/tessellation.ply -o OUT.ply --threads 2 -n 500"});
+  expect_frugal("1000000", {remesh + "500"});
 }
 
-// Where the mesh is what counts, and where the remesh is.
-TEST_F(Program, HoldsNoMoreMemoryForARemeshThanEstimatedAndNotMuchLess) {
-  if (under_sanitizer) GTEST_SKIP();
-  for (const auto& [triangles, options] : {std::pair{"200000", "-n 100"}, {"2000", "-n 4000"}}) {
-    ASSERT_EQ(geolloyd_with("generate creature -o " + mesh_.string() + " -t " + triangles).status,
-              0);
-    const Outcome outcome =
-        geolloyd_with("remesh " + mesh_.string() + " -o " + out("r.ply").string() + " --report " +
-                      out("r.json").string() + " --threads 2 " + options);
-    ASSERT_EQ(outcome.status, 0) << outcome.text;
-    const auto report = nlohmann::json::parse(read_file(out("r.json")));
-    const auto peak = report["peak_memory_bytes"].get<std::uint64_t>();
-    const auto estimate = report["memory_estimate_bytes"].get<std::uint64_t>();
-    EXPECT_LE(peak, estimate) << options;
-    EXPECT_LT(estimate, 2 * peak + 64'000'000) << options;
-  }
+TEST_F(Frugality, OfOtherCommands) {
+  expect_frugal("200000",
+                {"info MESH", "quality MESH", "quality MESH --original MESH",
+                 "repair MESH -o OUT.ply", "subdivide MESH -s midpoint -o OUT.ply",
+                 "render MESH -o OUT.png --size 512", "render MESH -k 500 -o OUT.png --size 512"});
 }
 
 }  // namespace

@@ -21,7 +21,6 @@
 #include "tests/support/program.h"
 #include "tools/files/label_groups.h"
 #include "tools/render/surface_colours.h"
-#include "tools/system/memory_estimate.h"
 
 namespace geolloyd {
 namespace {
@@ -407,26 +406,6 @@ TEST(SurfaceColours, AreThoseOfVerticesElseOfTriangles) {
   const SurfaceColours colours = colours_of(properties);
   EXPECT_TRUE(colours.of_triangles.empty());
   EXPECT_EQ(colours.of_vertices, (std::vector<Colour>{{0, 128, 0}, {255, 0, 255}, {128, 128, 1}}));
-}
-
-TEST(MemoryOfProperties, IsEstimated) {
-  RemeshSize remesh;
-  remesh.vertices = 1'000'000;
-  remesh.triangles = 2'000'000;
-  remesh.edges = 3'000'000;
-  remesh.fine_vertices = 1'000'000;
-  remesh.remesh_vertices = 1000;
-  RunSize run;
-  run.vertices = run.nodes = remesh.vertices;
-  run.triangles = remesh.triangles;
-  run.edges = run.links = remesh.edges;
-  run.seeds = 1000;
-  const std::uint64_t before = memory_to_remesh(remesh);
-  const std::uint64_t run_before = memory_to_run(run);
-  remesh.property_bytes = run.property_bytes = 100'000'000;
-  EXPECT_GE(memory_to_remesh(remesh), before + 100'000'000);
-  EXPECT_GE(memory_to_run(run), run_before + 100'000'000);
-  EXPECT_GE(memory_to_check(1000, 2000, 500'000), memory_to_check(1000, 2000) + 500'000);
 }
 
 }  // namespace

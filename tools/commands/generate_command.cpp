@@ -46,7 +46,7 @@ void add_generate_command(CLI::App& program, Console& console) {
     check_mesh_target(arguments->output, {});
     if (arguments->triangles <= most_triangles) {  // else there are no ids for them
       ProgressLine(console).announce_memory(arguments->output.string(),
-                                            memory_to_generate(arguments->triangles));
+                                            bytes_to_make(arguments->triangles, 0));
     }
     const Mesh mesh = arguments->shape(arguments->triangles, arguments->random_seed);
     write(arguments->output, mesh);

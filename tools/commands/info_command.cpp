@@ -13,7 +13,7 @@
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
-#include "tools/system/memory_estimate.h"
+#include "tools/run/memory_need.h"
 #include "tools/system/progress.h"
 #include "tools/words/facts_text.h"
 #include "tools/words/mesh_files.h"
@@ -29,8 +29,7 @@ struct InfoArguments {
 void run_info(const InfoArguments& arguments, const Console& console) {
   const std::filesystem::path& file = arguments.mesh;
   Input input{file, read_within_limits(file, {false, arguments.format}), {}, {}};
-  ProgressLine(console).announce_memory(
-      file.string(), memory_to_check(input.mesh().vertex_count(), input.mesh().triangle_count()));
+  ProgressLine(console).announce_memory(file.string(), bytes_to_read(size_of(input.loaded)));
   const MeshEdges edges = find_edges(input.mesh());
   input.facts = check_mesh(input.mesh(), edges);
   const MeshTopology topology = find_topology(input.mesh(), edges);

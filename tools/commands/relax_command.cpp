@@ -207,7 +207,6 @@ void check_checkpoint(const RelaxArguments& arguments) {
 
 RunWork work_of(const RelaxArguments& arguments) {
   RunWork work;
-  work.engine = arguments.engine.kind;
   work.has_dual = arguments.makes_dual();
   work.has_ground_truth = arguments.ground_truth ||
                           (work.has_dual && arguments.dual.vertices == DualVertices::centroids);

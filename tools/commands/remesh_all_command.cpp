@@ -127,13 +127,12 @@ QueuedWork to_be_queued(const RemeshTask& task, std::size_t vertices) {
   constexpr std::uint64_t bytes_per_vertex = 3000;
   constexpr std::uint64_t bytes_per_triangle = 18;
   const std::uint64_t bytes = size_of(task.input);
-  RemeshSize size;
+  WorkSize size;
   size.triangles = bytes / bytes_per_triangle;
   size.vertices = size.triangles / 2;
-  size.edges = size.triangles * 3 / 2;
   size.fine_vertices = size.vertices + 8 * vertices;
-  size.remesh_vertices = vertices;
-  return {bytes + bytes_per_vertex * vertices, memory_to_remesh(size)};
+  size.sites = vertices;
+  return {bytes + bytes_per_vertex * vertices, bytes_to_remesh(size)};
 }
 
 class RemeshingAll {

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "core/mesh/mesh_edges.h"
-#include "core/mesh/properties.h"
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
 #include "tools/cli/format_option.h"
@@ -19,8 +18,8 @@
 #include "tools/render/picture.h"
 #include "tools/render/sheet.h"
 #include "tools/run/dual.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/view/layers.h"
 #include "tools/view/page.h"
@@ -128,10 +127,11 @@ class Renderer {
                        .input;
     const Mesh& mesh = start_.input.mesh();
     const PictureLook& look = arguments_.picture;
-    progress_.announce_memory(arguments_.start.mesh.string(),
-                              memory_to_draw(mesh.vertex_count(), mesh.triangle_count(),
-                                             count_samples(mesh, look.view, look.size, scheduler_),
-                                             bytes_of(start_.input.loaded.properties)));
+    WorkSize size = size_of(start_.input.loaded);
+    size.samples = count_samples(mesh, look.view, look.size, scheduler_);
+    size.has_field = !arguments_.start.graph.vfield.empty();
+    size.has_cross_field = arguments_.start.graph.has_cross_field();
+    progress_.announce_memory(arguments_.start.mesh.string(), bytes_to_draw(size));
   }
 
   void find_partition() {

@@ -24,9 +24,9 @@
 #include "tools/files/output_folder.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
 #include "tools/system/build_facts.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 #include "tools/system/progress.h"
 #include "tools/words/facts_text.h"
@@ -76,8 +76,7 @@ void run_repair(const RepairCommandArguments& arguments, const Console& console)
   Scheduler scheduler = make_scheduler(arguments.threads);
   progress.stage("reading " + arguments.mesh.string());
   const Input given = load_input(arguments.mesh, scheduler, {true, arguments.format}).input;
-  const auto bytes = memory_to_repair(given.facts.vertices, given.facts.triangles);
-  progress.announce_memory(arguments.mesh.string(), bytes);
+  progress.announce_memory(arguments.mesh.string(), bytes_to_repair(size_of(given.loaded)));
   progress.stage("repairing");
   const Stopwatch watch;
   const RepairedMesh repaired =

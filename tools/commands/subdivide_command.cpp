@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/formats/mesh_io.h"
@@ -45,9 +46,9 @@ void check_memory(const std::string& what, const Mesh& mesh, const std::vector<S
   std::uint64_t triangles = mesh.triangle_count();
   std::uint64_t bytes = 0;
   for (const Scheme& scheme : schemes) {
-    bytes = memory_to_subdivide(triangles, scheme.pieces);
+    const std::uint64_t before = std::exchange(triangles, scheme.pieces * triangles);
+    bytes = bytes_to_make(triangles, before);
     require_memory(what, bytes);
-    triangles *= scheme.pieces;
   }
   ProgressLine(console).announce_memory(what, bytes);
 }

@@ -87,13 +87,13 @@ void BatchRuns::check_ladder() const {
   }
 }
 
-// Numbers of seeds differ; none takes more memory than one seed, whose region is all.
 MeshGraph BatchRuns::build_graph(GraphKind kind) {
   GraphPlan graph = arguments_.start.graph;
   graph.kind = kind;
   const Input& input = loaded_.input;
-  bytes_of_run_ = estimate_memory(graph, {1, SeedInit::farthest}, input, loaded_.edges,
-                                  {arguments_.engine.kind}, scheduler_);
+  const std::size_t most_seeds = *std::max_element(ladder_.begin(), ladder_.end());
+  bytes_of_run_ = estimate_memory(graph, {most_seeds, SeedInit::farthest}, input, loaded_.edges, {},
+                                  scheduler_);
   progress_.announce_memory(input.file.string(), bytes_of_run_);
   return make_mesh_graph(input.mesh(), loaded_.edges,
                          graph_options(graph, input.mesh(), loaded_.edges, scheduler_), scheduler_);

@@ -10,7 +10,7 @@
 #include "core/text/compression.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
-#include "tools/system/memory_estimate.h"
+#include "tools/run/memory_need.h"
 #include "tools/system/memory_limit.h"
 #include "tools/words/mesh_files.h"
 
@@ -66,14 +66,13 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOpti
   const std::string name = is_file ? file.string() : "standard input";
   std::error_code unknown;  // is for the reader to tell
   const auto file_size = std::filesystem::file_size(file, unknown);
-  if (!unknown && is_file) require_memory(name, memory_to_read(file_size));
+  if (!unknown && is_file) require_memory(name, file_size);
   std::string bytes = is_file ? read_file(file) : read_standard_input(name);
   bytes = unpack(std::move(bytes), name, allowed_memory());
   const std::filesystem::path folder = file.parent_path();
   LoadedMesh loaded = parse({format, std::move(bytes), name, is_file ? &folder : nullptr},
                             {options.properties, allowed_memory()});
-  require_memory(name, memory_to_check(loaded.mesh.vertex_count(), loaded.mesh.triangle_count(),
-                                       bytes_of(loaded.properties)));
+  require_memory(name, bytes_to_read(size_of(loaded)));
   return loaded;
 }
 
@@ -85,7 +84,7 @@ LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
   loaded.input.loaded = read_within_limits(file, options);
   if (repair) {
     Mesh& given = loaded.input.loaded.mesh;
-    require_memory(file.string(), memory_to_repair(given.vertex_count(), given.triangle_count()));
+    require_memory(file.string(), bytes_to_repair(size_of(loaded.input.loaded)));
     RepairedMesh repaired = make_repaired_mesh(given, *repair, executor);
     Properties& properties = loaded.input.loaded.properties;
     properties =

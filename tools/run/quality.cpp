@@ -7,8 +7,8 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
@@ -34,9 +34,10 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
   Executor& executor = runtime.executor();
   JudgedMesh& original = record.original.emplace();
   const MeshEdges edges = load(input.original, input.format, original, executor, progress);
-  progress.announce_memory(
-      input.original.string(),
-      memory_to_judge(record.remesh.input.facts.triangles, original.input.facts.triangles));
+  WorkSize size = size_of(original.input.loaded);
+  size.has_field = !input.field.vfield.empty();
+  progress.announce_memory(input.original.string(),
+                           bytes_to_judge(size_of(record.remesh.input.loaded), size));
   require_area(record.remesh);
   require_area(original);
   progress.stage("measuring distances and energy");
@@ -59,7 +60,7 @@ QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& p
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
     progress.announce_memory(input.remesh.string(),
-                             memory_to_judge(record.remesh.input.facts.triangles, 0));
+                             bytes_to_judge(size_of(record.remesh.input.loaded), {}));
   } else {
     compare(input, edges, record, runtime, progress);
   }

@@ -1,6 +1,5 @@
 #include "tools/run/stages.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -9,11 +8,10 @@
 #include "core/library/reference_runtime.h"
 #include "core/mesh/properties.h"
 #include "core/start/first_seeds.h"
-#include "core/surface/sizing/recipe.h"
 #include "geolloyd/threads.h"
 #include "tools/render/picture.h"
+#include "tools/run/memory_need.h"
 #include "tools/run/seed_source.h"
-#include "tools/system/memory_estimate.h"
 #include "tools/system/memory_limit.h"
 
 namespace geolloyd {
@@ -21,36 +19,15 @@ namespace geolloyd {
 std::uint64_t estimate_memory(const GraphPlan& graph, const SeedPlan& seeds, const Input& input,
                               const MeshEdges& edges, const RunWork& work, Executor& executor) {
   const Mesh& mesh = input.mesh();
-  const GraphKind kind = graph.kind;
-  RunSize size;
-  size.vertices = mesh.vertex_count();
-  size.triangles = mesh.triangle_count();
-  size.edges = edges.size();
-  size.nodes =
-      (has_vertices(kind) ? size.vertices : 0) + (has_triangles(kind) ? size.triangles : 0);
-  size.has_triangle_nodes = has_triangles(kind);
-  size.links = count_arcs(mesh, edges, kind, executor);
-  check_arc_count(size.links);
-  size.seeds = std::clamp<std::uint64_t>(seeds.count, 1, size.nodes);
-  size.threads = executor.threads();
+  WorkSize size = size_of(input.loaded);
+  size.sites = seeds.count;
   size.has_field = !graph.vfield.empty();
-  size.has_curvature_field = graph.has_curvature_field();
   size.has_cross_field = graph.has_cross_field();
-  size.is_reference = work.engine == EngineKind::reference;
   size.has_ground_truth = work.has_ground_truth;
-  size.has_dual = work.has_dual;
-  size.property_bytes = bytes_of(input.loaded.properties);
-  const SeedInit init =
-      seeds.init == SeedInit::automatic ? suited_init(size.nodes, size.seeds) : seeds.init;
-  size.has_coarse_graph = init == SeedInit::coarse;
-  if (init == SeedInit::surface) {
-    size.fine_vertices =
-        size.vertices + (size.has_field ? most_vertices_per_site : vertices_per_site) * size.seeds;
-  }
   if (work.picture) {
     size.samples = count_samples(mesh, work.picture->view, work.picture->size, executor);
   }
-  return memory_to_run(size);
+  return memory_to_relax(mesh, edges, graph.kind, size, executor);
 }
 
 std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler) {

@@ -42,7 +42,6 @@ std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Schedu
 
 /// What is done with a graph, as far as its memory goes by that.
 struct RunWork {
-  EngineKind engine = EngineKind::parallel;
   bool has_ground_truth = false;       ///< of the result or of the dual
   std::optional<PictureLook> picture;  ///< empty: none is drawn
   bool has_dual = false;               ///< its dual is made
