@@ -36,12 +36,6 @@ struct PictureLook {
 /// "WIDTH" or "WIDTHxHEIGHT", each from 64 to 8192. Throws InvalidInput.
 Size parse_size(const std::string& text);
 
-/// From where a picture shows a mesh, and how large it is.
-struct PictureLook {
-  View view{25, 15};
-  Size size{1280, 0};
-};
-
 /// The directions of a picture: unit vectors at right angles, right-handed.
 struct Axes {
   Vec3 right;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/course/field_source.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
 #include "geolloyd/runtime.h"

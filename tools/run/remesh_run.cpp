@@ -6,7 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "tools/evaluation/attribute_transfer.h"
 #include "tools/evaluation/tolerance_search.h"
-#include "tools/run/measured_run.h"
+#include "tools/run/stages.h"
 
 namespace geolloyd {
 namespace {
