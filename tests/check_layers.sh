@@ -43,7 +43,7 @@ tools/python
 tools/system
 tools/files
 tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
-tools/run: checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
+tools/run: memory_need checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
 tools/view: assets http_server layers page page_contents saving session
 tools/laboratory: laboratory

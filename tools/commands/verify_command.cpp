@@ -19,7 +19,6 @@
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
-#include "tools/run/memory_need.h"
 #include "tools/run/remesh.h"
 #include "tools/run/stages.h"
 #include "tools/system/interrupt.h"

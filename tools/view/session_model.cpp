@@ -10,7 +10,6 @@
 #include "geolloyd/errors.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/dual.h"
-#include "tools/run/memory_need.h"
 #include "tools/run/remesh.h"
 #include "tools/system/memory_limit.h"
 #include "tools/view/command_lines.h"
