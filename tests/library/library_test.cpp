@@ -1,5 +1,6 @@
 // The public headers, called rightly and wrongly.
 #include <geolloyd/choices.h>
+#include <geolloyd/dual.h>
 #include <geolloyd/errors.h>
 #include <geolloyd/fields.h>
 #include <geolloyd/mesh.h>
