@@ -24,12 +24,12 @@ LargeRegionSearch::LargeRegionSearch(Scheduler& scheduler, const Graph& graph)
   slices_ = cut_into_slices(region_nodes_, {&only, 1});
 }
 
-void LargeRegionSearch::run(const Partition& partition, NodeId stand, const BranchOf& branch_of,
+void LargeRegionSearch::run(const Partition& partition, NodeId current, const BranchOf& branch_of,
                             NodeId source) {
   source_ = source;
   const std::uint32_t distance = distance_of(partition.key[source]);
   std::vector<std::uint8_t> below;
-  find_branches_below(graph_, partition, stand, branch_of, source, below);
+  find_branches_below(graph_, partition, current, branch_of, source, below);
   const auto is_nearer = [&](std::size_t v) {
     return branch_of[v] < below.size() && below[branch_of[v]] != 0;
   };
@@ -58,9 +58,9 @@ void LargeRegionSearch::derive_parents(Partition& partition) {
   });
 }
 
-void LargeRegionSearch::find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of,
+void LargeRegionSearch::find_sums(NodeId current, const Partition& partition, BranchOf& branch_of,
                                   SubtreeSums& sums) {
-  find_branches(scheduler_, graph_, {&stand, 1}, partition, region_nodes_, slices_, branch_of,
+  find_branches(scheduler_, graph_, {&current, 1}, partition, region_nodes_, slices_, branch_of,
                 sums);
 }
 

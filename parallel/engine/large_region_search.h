@@ -19,13 +19,14 @@ class LargeRegionSearch {
  public:
   LargeRegionSearch(Scheduler& scheduler, const Graph& graph);
 
-  /// Distances from `source`, given those from `stand` and its branches (neighbour_subtrees.h).
-  void run(const Partition& partition, NodeId stand, const BranchOf& branch_of, NodeId source);
+  /// Distances from `source`, given those from `current` and its branches (neighbour_subtrees.h).
+  void run(const Partition& partition, NodeId current, const BranchOf& branch_of, NodeId source);
 
   /// Parents of `partition` from its keys.
   void derive_parents(Partition& partition);
-  /// The branches of `stand`, and the subtree sums at its neighbours.
-  void find_sums(NodeId stand, const Partition& partition, BranchOf& branch_of, SubtreeSums& sums);
+  /// The branches of `current`, and the subtree sums at its neighbours.
+  void find_sums(NodeId current, const Partition& partition, BranchOf& branch_of,
+                 SubtreeSums& sums);
 
   // Of the last run:
   [[nodiscard]] NodeId source() const { return source_; }
@@ -43,7 +44,7 @@ class LargeRegionSearch {
   RegionNodes region_nodes_;  // one region: all nodes
   std::vector<RegionSlice> slices_;
   std::vector<Key> keys_;
-  // To the source than to the stand, by as much as these are apart.
+  // To the source than to the current seed, by as much as these are apart.
   std::vector<NodeId> nearer_;
   std::vector<std::vector<NodeId>> nearer_of_worker_;
   NodeId source_ = no_id;

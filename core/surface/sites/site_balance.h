@@ -12,8 +12,8 @@ namespace geolloyd {
 /// Gives each patch the number of free sites that it is to have: removes the sites whose cells have
 /// least energy, and puts new ones where cells have most, at the vertex farthest from the site.
 /// Cells with more than twice the mean energy of their patch get a new site in any case, at the
-/// cost of the least ones. Sites without a vertex go. `cells` are those of `sites`
-/// with these labels. Ties go to the smaller id.
+/// cost of the least ones. Sites without a vertex are removed. `cells` are those of `sites` with
+/// these labels. Ties go to the smaller id.
 void balance_sites(const LevelMesh& level, std::span<const std::size_t> wanted_free,
                    const Cells& cells, SurfaceSites& sites, std::vector<RegionId>& labels);
 

@@ -8,10 +8,10 @@
 
 namespace geolloyd {
 
-/// A mesh with fewer vertices that stands in for a finer one: no manifold, and its area is less.
+/// A mesh with fewer vertices that replaces a finer one: no manifold, and its area is less.
 struct CoarseMesh {
   FineMesh mesh;
-  std::vector<VertexId> vertex_of;  ///< per vertex of the finer mesh: that which stands for it
+  std::vector<VertexId> vertex_of;  ///< per vertex of the finer mesh: the one that replaces it
 };
 
 /// Per vertex: what it may be merged within, and how far.
