@@ -121,7 +121,7 @@ std::vector<Vec3> shifted_sites(const RestedSurface& start) {
   const SurfaceSites& sites = start.resting.state.sites;
   std::vector<Vec3> shifted = sites.positions;
   for (std::size_t r = 0; r < shifted.size(); ++r) {
-    if (sites.stays[r] != 0) continue;
+    if (sites.is_fixed[r] != 0) continue;
     Vec3 way;
     for (int axis = 0; axis < 3; ++axis) {
       way[axis] = 2 * random_unit(1, 3 * r + static_cast<std::size_t>(axis)) - 1;
@@ -170,7 +170,7 @@ struct Descended {
 Descended descend_ten(const RestedSurface& start, SurfaceEngine& engine, Executor& executor) {
   Descended result{shifted_sites(start), 0};
   DescentOptions options;
-  options.stays = start.resting.state.sites.stays;
+  options.is_fixed = start.resting.state.sites.is_fixed;
   options.most_iterations = 10;
   options.longest_move = 0.5 * start.spacings.front();
   result.energy = descend(start.input().fine, engine, result.sites, options, executor);

@@ -53,23 +53,23 @@ std::vector<Property> properties_of(const py::dict& arrays) {
   return properties;
 }
 
-py::tuple read(const std::filesystem::path& path) {
+py::tuple read_arrays(const std::filesystem::path& path) {
   LoadedMesh loaded;
   {
     const py::gil_scoped_release working;
-    loaded = read(path, {true});
+    loaded = geolloyd::read(path, {true});
   }
   auto [vertices, faces] = arrays_of(std::move(loaded.mesh));
   return py::make_tuple(vertices, faces, arrays_of(std::move(loaded.properties.of_vertices)),
                         arrays_of(std::move(loaded.properties.of_triangles)));
 }
 
-void write(const std::filesystem::path& path, const NumberArray& vertices, const IdArray& faces,
-           const py::dict& of_vertices, const py::dict& of_triangles) {
+void write_arrays(const std::filesystem::path& path, const NumberArray& vertices,
+                  const IdArray& faces, const py::dict& of_vertices, const py::dict& of_triangles) {
   const Mesh mesh = mesh_of(vertices, faces);
   const Properties properties{properties_of(of_vertices), properties_of(of_triangles), {}};
   const py::gil_scoped_release working;
-  write(path, mesh, properties);
+  geolloyd::write(path, mesh, properties);
 }
 
 py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_t random_seed) {
@@ -87,8 +87,8 @@ py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_
 
 void bind_files(py::module_& module) {
   module.def("has_mesh_name", &has_mesh_name, py::arg("path"));
-  module.def("read", &read, py::arg("path"));
-  module.def("write", &write, py::arg("path"), py::arg("vertices"), py::arg("faces"),
+  module.def("read", &read_arrays, py::arg("path"));
+  module.def("write", &write_arrays, py::arg("path"), py::arg("vertices"), py::arg("faces"),
              py::arg("of_vertices"), py::arg("of_triangles"));
   module.def("generate", &generate, py::arg("shape"), py::arg("triangles"), py::arg("random_seed"));
 }

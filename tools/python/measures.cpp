@@ -17,7 +17,7 @@ py::dict words_of(const DistanceFigures& figures) {
                   py::arg("hausdorff") = figures.largest);
 }
 
-py::dict quality(const NumberArray& vertices, const IdArray& faces) {
+py::dict judge(const NumberArray& vertices, const IdArray& faces) {
   const Mesh mesh = mesh_of(vertices, faces);
   MeshQuality figures;
   MeshTopology topology;
@@ -88,7 +88,7 @@ py::dict words_of(const MeshQuality& q) {
 }
 
 void bind_measures(py::module_& module) {
-  module.def("quality", &quality, py::arg("vertices"), py::arg("faces"));
+  module.def("quality", &judge, py::arg("vertices"), py::arg("faces"));
   module.def("distance", &distance, py::arg("first_vertices"), py::arg("first_faces"),
              py::arg("second_vertices"), py::arg("second_faces"), py::arg("samples"),
              py::arg("threads"));

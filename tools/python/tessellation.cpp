@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "geolloyd/dual.h"
 #include "geolloyd/evaluation.h"
 #include "geolloyd/fields.h"
 #include "geolloyd/relax.h"
@@ -141,35 +142,35 @@ py::array distances_of_arrays(const NumberArray& vertices, const IdArray& faces,
   }));
 }
 
-py::tuple dual(const Tessellated& made, bool manifold, std::size_t threads) {
+py::tuple dual_arrays(const Tessellated& made, bool manifold, std::size_t threads) {
   Watch watch{py::none()};
   DualOptions options;
   options.manifold = manifold;
   options.keep_going = [&watch] { return watch.keep_going(); };
-  Dual remeshed;
+  Dual made_dual;
   std::vector<SurfacePoint> places;
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
-    remeshed = dual(made.mesh, made.tessellation, options, runtime);
-    places = closest_points(made.mesh, remeshed.mesh.positions, runtime);
+    made_dual = geolloyd::dual(made.mesh, made.tessellation, options, runtime);
+    places = closest_points(made.mesh, made_dual.mesh.positions, runtime);
   }
   py::dict report;
-  report["vertices"] = remeshed.mesh.vertex_count();
-  report["triangles"] = remeshed.mesh.triangle_count();
-  report["seeds_added"] = remeshed.seeds_added;
-  report["is_manifold"] = remeshed.is_manifold;
-  report["has_input_topology"] = remeshed.has_input_topology;
-  report["input_is_manifold"] = remeshed.is_input_manifold;
-  report["closed_ball_violations_left"] = remeshed.violations_left;
-  report["flipped_triangles"] = remeshed.flipped;
-  report["triangles_without_area"] = remeshed.flat;
-  report["folded_edges"] = remeshed.folds;
-  report["interrupted"] = remeshed.interrupted;
-  auto [vertices, faces] = arrays_of(std::move(remeshed.mesh));
+  report["vertices"] = made_dual.mesh.vertex_count();
+  report["triangles"] = made_dual.mesh.triangle_count();
+  report["seeds_added"] = made_dual.seeds_added;
+  report["is_manifold"] = made_dual.is_manifold;
+  report["has_input_topology"] = made_dual.has_input_topology;
+  report["input_is_manifold"] = made_dual.is_input_manifold;
+  report["closed_ball_violations_left"] = made_dual.violations_left;
+  report["flipped_triangles"] = made_dual.flipped;
+  report["triangles_without_area"] = made_dual.flat;
+  report["folded_edges"] = made_dual.folds;
+  report["interrupted"] = made_dual.interrupted;
+  auto [vertices, faces] = arrays_of(std::move(made_dual.mesh));
   auto [triangle, barycentric] = arrays_of(places);
-  return py::make_tuple(vertices, faces, triangle, barycentric, id_array(std::move(remeshed.seeds)),
-                        report);
+  return py::make_tuple(vertices, faces, triangle, barycentric,
+                        id_array(std::move(made_dual.seeds)), report);
 }
 
 py::dict ground_truth(const Tessellated& made, std::size_t threads) {
@@ -197,7 +198,7 @@ py::dict ground_truth(const Tessellated& made, std::size_t threads) {
 
 void bind_tessellation(py::module_& module) {
   py::class_<Tessellated, std::shared_ptr<Tessellated>>(module, "Tessellated")
-      .def("dual", &dual, py::arg("manifold"), py::arg("threads"))
+      .def("dual", &dual_arrays, py::arg("manifold"), py::arg("threads"))
       .def("ground_truth", &ground_truth, py::arg("threads"));
   module.def("relax", &tessellate_arrays, py::arg("vertices"), py::arg("faces"), py::arg("options"),
              py::kw_only(), py::arg("greedy"), py::arg("max_greedy_steps"),
