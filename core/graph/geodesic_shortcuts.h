@@ -5,8 +5,8 @@
 
 #include "core/base/buffer.h"
 #include "core/base/executor.h"
-#include "core/mesh/mesh.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/mesh.h"
 
 namespace geolloyd {
 

@@ -9,15 +9,15 @@
 namespace geolloyd {
 
 Dual dual(const Mesh& mesh, const Tessellation& tessellation, const DualOptions& options,
-              Runtime& runtime) {
+          Runtime& runtime) {
   const TessellatedGraph& tessellated = internals_of(tessellation, mesh);
   const auto engine = runtime.make_engine(tessellated.mesh_graph.graph);
   GraphDualOptions graph_options;
   graph_options.manifold = options.manifold;
   graph_options.keep_going = options.keep_going;
   GraphDual made = make_graph_dual({mesh, tessellated.mesh_graph, tessellated.relaxation.seeds,
-                                  tessellated.relaxation.partition, *engine, runtime.executor()},
-                                 graph_options);
+                                    tessellated.relaxation.partition, *engine, runtime.executor()},
+                                   graph_options);
   Dual result;
   result.is_manifold = made.is_manifold();
   result.has_input_topology = made.has_input_topology();

@@ -230,12 +230,15 @@ TEST(SurfaceEngines, LetSitesDescendAlike) {
     engine.assign(sited.labels, sited.is_fixed);
     std::vector<Vec3> sites = sited.sites;
     std::vector<double> numbers;
-    DescentOptions options{
-        is_fixed, 5, 0.5 * spacing_of(mesh, sites.size()), {}, 0,
-        [&](double energy, std::span<const Vec3>) {
-          numbers.push_back(energy);
-          return true;
-        }};
+    DescentOptions options{is_fixed,
+                           5,
+                           0.5 * spacing_of(mesh, sites.size()),
+                           {},
+                           0,
+                           [&](double energy, std::span<const Vec3>) {
+                             numbers.push_back(energy);
+                             return true;
+                           }};
     numbers.push_back(descend(mesh, engine, sites, options, executor));
     for (const Vec3& p : sites) numbers.insert(numbers.end(), p.begin(), p.end());
     for (const RegionId r : engine.labels()) numbers.push_back(r);

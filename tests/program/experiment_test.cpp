@@ -9,9 +9,9 @@
 #include "geolloyd/errors.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitizers.h"
+#include "tools/files/csv.h"
 #include "tools/laboratory/batch.h"
 #include "tools/laboratory/comparison.h"
-#include "tools/files/csv.h"
 #include "tools/system/machine.h"
 
 namespace geolloyd {

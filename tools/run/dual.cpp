@@ -1,7 +1,7 @@
 #include "tools/run/dual.h"
 
-#include "tools/evaluation/ground_truth.h"
 #include "tools/evaluation/attribute_transfer.h"
+#include "tools/evaluation/ground_truth.h"
 #include "tools/system/interrupt.h"
 
 namespace geolloyd {

@@ -21,12 +21,10 @@ struct Tessellation;
 /// are in mesh units. Throws InvalidInput with a sentence where the mesh or an option is not
 /// usable: no seeds, repeated or unknown ones, fewer seeds than components, more than nodes, a
 /// field of another length or with values that are not finite, averaging that the norm cannot have.
-Tessellation relax(const Mesh& mesh, const RelaxOptions& options,
-                   Runtime& runtime = all_threads());
+Tessellation relax(const Mesh& mesh, const RelaxOptions& options, Runtime& runtime = all_threads());
 
 /// The regions of the first seeds as they are: the graph Voronoi diagram.
-Tessellation voronoi(const Mesh& mesh, RelaxOptions options,
-                     Runtime& runtime = all_threads());
+Tessellation voronoi(const Mesh& mesh, RelaxOptions options, Runtime& runtime = all_threads());
 
 /// The first seeds that relax() goes out from.
 std::vector<InputId> first_seeds(const Mesh& mesh, const RelaxOptions& options,

@@ -23,8 +23,7 @@ struct SurfacePoint;
 /// on boundary and features come first. Lengths are in mesh units. `mesh` may have any flaws; where
 /// its edges have three and more triangles it is cut apart. Throws InvalidInput where the mesh is
 /// not valid or has no area, or where an option is not usable.
-Remesh remesh(const Mesh& mesh, const RemeshOptions& options,
-              Runtime& runtime = all_threads());
+Remesh remesh(const Mesh& mesh, const RemeshOptions& options, Runtime& runtime = all_threads());
 
 /// Properties of a mesh's vertices as they are at points of it, such as the places of a remesh's
 /// vertices: one value per place, in their order. Numbers are interpolated linearly; parts of
