@@ -22,7 +22,8 @@ class alignas(64) DistanceBuckets {
   /// Buckets of 2^`width_bits` ticks.
   explicit DistanceBuckets(unsigned width_bits) : width_bits_(width_bits) {}
 
-  void push(NodeDistance entry) {
+  // Inlined by force: where several files are joined, GCC thinks it has too many callers.
+  [[gnu::always_inline]] void push(NodeDistance entry) {
     const std::size_t bucket = entry.distance >> width_bits_;
     if (at_.size() <= bucket) at_.resize(bucket + 1);
     at_[bucket].push_back(entry);

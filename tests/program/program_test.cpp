@@ -557,7 +557,7 @@ TEST_F(Program, RemovesFilesOfAnEarlierRunThatAreNotAskedFor) {
 
 TEST_F(Program, ListsTheOutputsThereAre) {
   expect_complaint(relax("--seeds 20 --only seeds,remsh"),
-                   "--only: dul not in {tessellation,seeds,regions,dual,report}");
+                   "--only: remsh not in {tessellation,seeds,regions,dual,report}");
   expect_complaint(relax("--seeds 20 --only ''"), "--only");
   EXPECT_FALSE(fs::exists(out()));
 }

@@ -18,7 +18,7 @@ from ._files import generate, read, write
 from ._measures import closest_points, ground_truth, quality
 from ._remesh import remesh
 from ._results import GroundTruth, Mesh, Remesh, RemeshProgress, Tessellation, TessellationProgress
-from ._tessellate import distances, relax, seeds, voronoi
+from ._relax import distances, relax, seeds, voronoi
 from .many import remesh_many
 
 __all__ = [

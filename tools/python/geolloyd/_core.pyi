@@ -20,7 +20,7 @@ def remesh(
     feature_edges: Optional[_Ids], groups: Optional[_Ids], fixed: Optional[_Ids], fit: bool,
     progress: Optional[Callable[..., Any]], threads: int,
 ) -> Tuple[_Array, _Array, _Array, _Array, _Array, Dict[str, Any]]: ...
-def tessellate(
+def relax(
     vertices: _Numbers, faces: _Ids, options: Dict[str, Any], *, greedy: str, max_greedy_steps: int,
     max_macrosteps: int, improvement_rounds: int, progress: Optional[Callable[..., Any]],
 ) -> Tuple[Dict[str, Any], Tessellated]: ...

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._results import GroundTruth
-from ._tessellate import voronoi
+from ._relax import voronoi
 
 
 def quality(vertices: Any, faces: Optional[ArrayLike] = None, *, original: Any = None, samples: int = 500_000,
