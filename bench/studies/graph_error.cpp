@@ -24,8 +24,8 @@ namespace geolloyd {
 namespace {
 
 constexpr std::size_t usual_triangles = 200'000;
-constexpr std::uint64_t random_seed = 1;
-constexpr std::size_t sources = 16;
+constexpr std::uint64_t source_seed = 1;
+constexpr std::size_t source_count = 16;
 constexpr double nearest_edges = 10;  // pairs that are nearer, in mean edges, do not count
 constexpr std::size_t vertices_per_region = 100;
 constexpr std::size_t turns = 5;
@@ -52,7 +52,7 @@ Mesh grid(std::size_t triangles) {
 // Squares cut along one diagonal, an irregular plane, a refined icosahedron.
 std::vector<Surface> surfaces(std::size_t triangles) {
   return {{"grid", grid(triangles), on_plane},
-          {"plane", irregular_plane(triangles, random_seed), on_plane},
+          {"plane", irregular_plane(triangles, source_seed), on_plane},
           {"sphere", icosphere(triangles), on_sphere}};
 }
 
@@ -130,7 +130,7 @@ void print_rows(const Surface& surface) {
   const double nearest = nearest_edges * mean_length(surface.mesh, edges);
   for (const Row& row : rows) {
     print_row(surface.name, row, rows.front(),
-              measure_graph_error(row.made, sources, random_seed, nearest, surface.exact));
+              measure_graph_error(row.made, source_count, source_seed, nearest, surface.exact));
   }
 }
 

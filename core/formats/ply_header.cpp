@@ -118,8 +118,8 @@ bool read_line(TextCursor& text, PlyHeader& header) {
 }  // namespace
 
 PlyHeader read_ply_header(TextCursor& text) {
-  const std::string_view magic = text.word();
-  if (magic != "ply") text.fail_expected("'ply'", magic);
+  const std::string_view first = text.word();
+  if (first != "ply") text.fail_expected("'ply'", first);
   text.next_line();
 
   PlyHeader header;

@@ -223,8 +223,9 @@ struct FrugalRun {
 };
 
 FrugalRun run_with(double limit, const std::string& command, const fs::path& text) {
-  const std::string line = "exec " GEOLLOYD_PROGRAM " " + command + " --memory-limit " +
-                           std::to_string(std::lround(limit)) + "M > " + text.string() + " 2>&1";
+  const std::string size = std::to_string(std::lround(limit)) + "M";
+  const std::string line = std::string("exec ") + GEOLLOYD_PROGRAM + " " + command +
+                           " --memory-limit " + size + " > " + text.string() + " 2>&1";
   const pid_t id = ::fork();
   if (id == 0) {
     ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);

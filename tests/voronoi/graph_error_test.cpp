@@ -13,7 +13,7 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::uint64_t sources = 8;
+constexpr std::uint64_t source_count = 8;
 
 struct Surface {
   const char* name;
@@ -75,7 +75,8 @@ MeshGraph graph_of(const Surface& surface, GraphKind kind) {
 }
 
 GraphError error_of(const Surface& surface, GraphKind kind) {
-  return measure_graph_error(graph_of(surface, kind), sources, 1, 8 * surface.edge, surface.exact);
+  return measure_graph_error(graph_of(surface, kind), source_count, 1, 8 * surface.edge,
+                             surface.exact);
 }
 
 // A way on a graph is a way on the surface. A graph that measured chords through space where it
@@ -191,7 +192,7 @@ TEST(GraphError, IsSmallInEachNormOnTheFarGraph) {
       const MeshGraph made =
           make_mesh_graph(surface.mesh, find_edges(surface.mesh), {kind, norm_kind, field});
       return measure_graph_error(
-          made, sources, 1, 8 * surface.edge,
+          made, source_count, 1, 8 * surface.edge,
           [&](const Vec3& a, const Vec3& b) { return measure(Vec3(b - a), oblique, norm_kind); });
     };
     const GraphError far = error_on(GraphKind::vertex_far);

@@ -102,7 +102,7 @@ void prepare_ground_truth_output(const std::filesystem::path& folder, const RunR
 
 std::string write_ground_truth(const std::filesystem::path& folder, const RunRequest& request,
                                const PreparedInput& start, const JudgedPartition& judged) {
-  const std::string report = json_text(result_of(request, start, judged));
+  std::string report = json_text(result_of(request, start, judged));
   if (!folder.empty()) {
     FileGroup files(folder, ground_truth_names);
     write_regions(start.mesh_graph, judged, files[0]);
