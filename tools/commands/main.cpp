@@ -114,18 +114,18 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
 void run(int argc, char** argv) {
   geolloyd::Console console;
   CLI::App program(
-      "Geodesic centroidal Voronoi tessellations of triangle meshes.\n"
+      "Remeshes and geodesic centroidal Voronoi tessellations of triangle meshes.\n"
       "Try: geolloyd generate creature -o creature.ply\n"
-      "     geolloyd relax creature.ply --seeds 2048 -o result\n"
-      "     geolloyd remesh creature.ply --vertices 2048 -o remesh.ply");
+      "     geolloyd remesh creature.ply --vertices 2048 -o remesh.ply\n"
+      "     geolloyd relax creature.ply --seeds 2048 -o result");
   program.name("geolloyd");
   program.set_version_flag("--version", geolloyd::build_facts_text,
                            "Version, and what this program was built with");
   program.require_subcommand(1);
   program.get_formatter()->column_width(34);
-  geolloyd::add_relax_command(program, console);
   geolloyd::add_remesh_command(program, console);
   geolloyd::add_remesh_all_command(program, console);
+  geolloyd::add_relax_command(program, console);
   geolloyd::add_render_command(program, console);
   geolloyd::add_view_command(program, console);
   geolloyd::add_verify_command(program, console);
