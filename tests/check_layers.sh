@@ -17,7 +17,7 @@ core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list b
 core/shapes: shapes
 core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
-core/surface/sizing: curvature field_metric sizing recipe
+core/surface/sizing: curvature field_metric recipe sizing
 core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface_engine reference_surface_engine surface_engine
 core/surface/features: creases curve_sites patches
 core/surface/sites: site_balance site_levels
@@ -37,13 +37,13 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search remesh_figures tolerance_search
+tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
 tools/files
 tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
-tools/run: memory_need checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
+tools/run: checkpoint dual frames input memory_need quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
 tools/view: assets http_server layers page page_contents saving session
 tools/laboratory: laboratory

@@ -22,7 +22,7 @@ std::vector<SeedPlace> find_places(const Mesh& mesh, MeshEdges& edges, const Run
   const FirstSeedOptions options = seed_options(plan.seeds, plan.graph.vertex_space);
   const std::size_t nodes = count_nodes(mesh, plan.graph.kind, runtime.executor());
   if (plan.seeds.given || !has_first_places(nodes, options)) return {};
-  edges = {{}, {}, {}, std::move(edges.duplicates)};
+  release_all_but_duplicates(edges);
   std::vector<SeedPlace> places =
       find_first_places(mesh, edges.duplicates, nodes, options, runtime);
   edges = find_edges(mesh, runtime.executor());

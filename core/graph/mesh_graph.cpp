@@ -140,7 +140,7 @@ MeshGraph make_mesh_graph(const Mesh& mesh, MeshEdges&& edges, const MeshGraphOp
                           Executor& executor) {
   MeshGraph result = numbered_nodes(mesh, options.kind, executor);
   Buffer<UndirectedArc> arcs = find_arcs(mesh, edges, options, result, executor);
-  edges = {{}, {}, {}, std::move(edges.duplicates)};
+  release_all_but_duplicates(edges);
   add_graph(mesh, edges.duplicates, std::move(arcs), result, executor);
   return result;
 }

@@ -4,7 +4,6 @@
 
 #include "core/library/tessellated_graph.h"
 #include "core/regions/graph_dual.h"
-#include "core/surface/cells/surface_engine.h"
 
 namespace geolloyd {
 

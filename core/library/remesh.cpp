@@ -17,7 +17,7 @@ Remesh remesh(const Mesh& mesh, const RemeshOptions& options, Runtime& runtime) 
   MeshEdges edges = find_edges(mesh, runtime.executor());
   RemeshCourse course{mesh, edges, options, runtime};
   course.options.field = checked_field(options.field, mesh.vertex_count());
-  course.release_edges = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+  course.release_edges = [&edges] { release_all_but_duplicates(edges); };
   return run(std::move(course)).remesh;
 }
 

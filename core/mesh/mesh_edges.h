@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/executor.h"
@@ -60,6 +61,11 @@ struct MeshEdges {
     return {corner.data() + first_corner[edge], corner.data() + first_corner[edge + 1]};
   }
 };
+
+/// Gives back the memory of all but the duplicates.
+inline void release_all_but_duplicates(MeshEdges& edges) {
+  edges = {{}, {}, {}, std::move(edges.duplicates)};
+}
 
 /// Triangles that name a vertex twice have no edges. O(triangles), but for the sorting of the edges
 /// at one vertex.

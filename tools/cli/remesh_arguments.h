@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
@@ -20,12 +17,6 @@ struct RemeshArguments {
   ThreadArguments threads;
   PictureLook picture;
   RemeshFiles files;
-
-  /// The files that are read, some of them empty: no result may replace one.
-  [[nodiscard]] std::vector<std::filesystem::path> inputs() const {
-    return {request.mesh,         request.edges_file,     request.fixed_file,
-            request.lengths_file, request.densities_file, request.field.field_file()};
-  }
 };
 
 /// The options below, as the help groups them.

@@ -31,7 +31,7 @@ void run_remesh(RemeshArguments& arguments, const Console& console) {
   if (!names.page.empty()) check_viewer();
   check_remesh(arguments);
   const RemeshRequest& request = arguments.request;
-  check_remesh_targets(names, arguments.inputs());
+  check_remesh_targets(names, request.files());
   const Stopwatch total;
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);

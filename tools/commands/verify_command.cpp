@@ -177,18 +177,11 @@ void verify_remesh(const VerifyArguments& a, const Console& console) {
   ReferenceRuntime reference(scheduler);
   Threads parallel(scheduler);
   PairedSurfaces pairs(reference, parallel, comparison);
-  RemeshCourse course{loaded.input.mesh(), loaded.edges, read_options(request, loaded, scheduler),
-                      pairs, course_hooks(progress, budget)};
-  course.bytes = [&](std::size_t vertices, const RemeshOptions& options) {
-    return estimate_remesh_memory(loaded.input, loaded.edges, vertices, options, {}, scheduler);
-  };
-  course.options.progress = [&progress](const RemeshProgress& p) {
-    progress.show(p);
-    return true;
-  };
   Remesh remesh;
   try {
-    remesh = run(std::move(course)).remesh;
+    remesh = run(remesh_course(loaded, read_options(request, loaded, scheduler), pairs, progress,
+                               budget))
+                 .remesh;
   } catch (const Disagreement& difference) {
     throw std::runtime_error(std::string("the engines differ ") + difference.what());
   }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/course/field_source.h"
 #include "core/formats/mesh_formats.h"
@@ -26,6 +27,11 @@ struct RemeshRequest {
   std::filesystem::path fixed_file;
   std::string labels;  ///< a property, borders between whose values are kept
   bool carries_properties = true;
+
+  /// The files that are read, some of them empty: no result may replace one.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const {
+    return {mesh, edges_file, fixed_file, lengths_file, densities_file, field.field_file()};
+  }
 };
 
 /// The files of a remesh; all but the first may be empty.

@@ -91,9 +91,12 @@ MeshGraph BatchRuns::build_graph(GraphKind kind) {
   GraphPlan graph = arguments_.start.graph;
   graph.kind = kind;
   const Input& input = loaded_.input;
-  const std::size_t most_seeds = *std::max_element(ladder_.begin(), ladder_.end());
-  bytes_of_run_ = estimate_memory(graph, {most_seeds, SeedInit::farthest}, input, loaded_.edges, {},
-                                  scheduler_);
+  bytes_of_run_ = 0;
+  const auto [fewest, most] = std::minmax_element(ladder_.begin(), ladder_.end());
+  for (const std::size_t seeds : {*fewest, *most}) {  // the largest regions, the most of them
+    bytes_of_run_ = std::max(bytes_of_run_, estimate_memory(graph, {seeds, SeedInit::farthest},
+                                                            input, loaded_.edges, {}, scheduler_));
+  }
   progress_.announce_memory(input.file.string(), bytes_of_run_);
   return make_mesh_graph(input.mesh(), loaded_.edges,
                          graph_options(graph, input.mesh(), loaded_.edges, scheduler_), scheduler_);

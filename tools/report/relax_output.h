@@ -54,8 +54,7 @@ class ResultFiles {
 /// tessellation.ply: the input mesh with `region` (-1: none) and a colour per vertex, or per face
 /// in graphs of triangles, or both in the mixed one; adjacent regions differ in colour. seeds.csv:
 /// a line per region. regions.csv: a line per input id. dual.ply: a vertex per region, those of
-/// added seeds last.
-/// Writes those of them that are wanted.
+/// added seeds last. Writes those of them that are wanted.
 void write_results(const PreparedInput& start, const Result& result, ResultFiles& files,
                    Executor& executor);
 

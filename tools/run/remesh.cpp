@@ -50,11 +50,6 @@ RemeshOptions read_options(const RemeshRequest& request, const LoadedInput& load
   return options;
 }
 
-CourseHooks course_hooks(ProgressLine& progress, std::function<void(std::uint64_t)> budget) {
-  return {[&progress](const std::string& stage) { progress.stage(stage); },
-          [] { return !interrupted(); }, std::move(budget)};
-}
-
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
                                      const std::optional<PictureLook>& picture,
@@ -63,6 +58,23 @@ std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
   size.sites = vertices;
   if (picture) size.samples = count_samples(input.mesh(), picture->view, picture->size, executor);
   return memory_to_remesh(input.mesh(), edges, input.facts.area, options, size, executor);
+}
+
+RemeshCourse remesh_course(const LoadedInput& loaded, RemeshOptions options, Runtime& runtime,
+                           ProgressLine& progress, std::function<void(std::uint64_t)> budget,
+                           const std::optional<PictureLook>& picture) {
+  options.progress = [&progress](const RemeshProgress& p) {
+    progress.show(p);
+    return true;
+  };
+  RemeshCourse course{loaded.input.mesh(), loaded.edges, std::move(options), runtime};
+  course.hooks = {[&progress](const std::string& stage) { progress.stage(stage); },
+                  [] { return !interrupted(); }, std::move(budget)};
+  course.bytes = [&loaded, &runtime, picture](std::size_t vertices, const RemeshOptions& asked) {
+    return estimate_remesh_memory(loaded.input, loaded.edges, vertices, asked, picture,
+                                  runtime.executor());
+  };
+  return course;
 }
 
 }  // namespace geolloyd

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/course/hooks.h"
+#include "core/course/remesh_course.h"
 #include "geolloyd/remesh.h"
 #include "tools/files/remesh_request.h"
 #include "tools/render/view.h"
@@ -23,12 +23,15 @@ LoadedInput load_surface(const RemeshRequest& request, Executor& executor, Progr
 RemeshOptions read_options(const RemeshRequest& request, const LoadedInput& loaded,
                            Executor& executor);
 
-/// Stages are shown, an interrupt (interrupt.h) ends the work, and `budget` is told bytes.
-CourseHooks course_hooks(ProgressLine& progress, std::function<void(std::uint64_t)> budget);
-
 /// Bytes, of the whole run, with a picture if one will be drawn.
 std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
                                      std::size_t vertices, const RemeshOptions& options,
                                      const std::optional<PictureLook>& picture, Executor& executor);
+
+/// The course of a remesh of `loaded`. Stages and iterations are shown, an interrupt (interrupt.h)
+/// ends the work, and `budget` is told estimate_remesh_memory(). What is referred to must live on.
+RemeshCourse remesh_course(const LoadedInput& loaded, RemeshOptions options, Runtime& runtime,
+                           ProgressLine& progress, std::function<void(std::uint64_t)> budget,
+                           const std::optional<PictureLook>& picture = std::nullopt);
 
 }  // namespace geolloyd

@@ -38,21 +38,14 @@ RemeshedInput remesh_input(const RemeshRequest& request, const std::optional<Pic
   MeshEdges& edges = done.loaded.edges;
   RemeshOptions options = read_options(request, done.loaded, scheduler);
   done.field = options.field;
-  options.progress = [&progress](const RemeshProgress& p) {
-    progress.show(p);
-    return true;
-  };
   const auto budget = [&](std::uint64_t bytes) {
     check_memory(bytes);
     result.memory_estimate = std::max(result.memory_estimate, bytes);
   };
-  RemeshCourse course{input.mesh(), edges, std::move(options), *runtime,
-                      course_hooks(progress, budget)};
-  course.bytes = [&](std::size_t vertices, const RemeshOptions& asked) {
-    return estimate_remesh_memory(input, edges, vertices, asked, picture, scheduler);
-  };
+  RemeshCourse course =
+      remesh_course(done.loaded, std::move(options), *runtime, progress, budget, picture);
   if (!(request.tolerance > 0)) {
-    course.release_edges = [&edges] { edges = {{}, {}, {}, std::move(edges.duplicates)}; };
+    course.release_edges = [&edges] { release_all_but_duplicates(edges); };
   }
   make(request, input.facts, std::move(course), result);
 

@@ -40,7 +40,7 @@ struct RunRequest {
 /// The engines that --engine and --frontier name, on these threads, which must live on.
 std::unique_ptr<Runtime> make_runtime(EngineKind kind, Frontier frontier, Scheduler& scheduler);
 
-/// What is done with a graph, as far as its memory goes by that.
+/// What is made in a run beside its regions: memory goes by it, and what the dual needs is kept.
 struct RunWork {
   bool has_ground_truth = false;       ///< of the result or of the dual
   std::optional<PictureLook> picture;  ///< empty: none is drawn

@@ -26,7 +26,7 @@ Tessellation relax(const Mesh& mesh, const RelaxOptions& options, Runtime& runti
 /// The regions of the first seeds as they are: the graph Voronoi diagram.
 Tessellation voronoi(const Mesh& mesh, RelaxOptions options, Runtime& runtime = all_threads());
 
-/// The first seeds that relax() goes out from.
+/// The first seeds, with which relax() begins.
 std::vector<InputId> first_seeds(const Mesh& mesh, const RelaxOptions& options,
                                  Runtime& runtime = all_threads());
 
@@ -88,7 +88,7 @@ struct Tessellation {
   std::uint64_t fingerprint = 0;  ///< of the whole course; the same on every machine
   std::vector<TessellationStep> trace;
 
-  std::shared_ptr<const struct TessellatedGraph> internals;  ///< what remesh() goes on from
+  std::shared_ptr<const struct TessellatedGraph> internals;  ///< what dual() goes on from
 };
 
 }  // namespace geolloyd
