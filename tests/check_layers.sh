@@ -5,15 +5,17 @@ set -u
 cd "$1" || exit 1
 
 # A room a line, in order: a file includes only from its own room and from the rooms above it.
-# After the colon, the doors: the headers, without ".h", that other rooms may include; without a
-# colon all are doors. Tests and benchmarks may look behind them.
+# After the colon, the doors: the headers, without ".h", that other rooms may include; nothing after
+# it: there are none. Without a colon all are doors. Tests and benchmarks may look behind them.
 export rooms='
 core/include/geolloyd
 core/base
 core/text
 core/mesh
 core/repair: repair
-core/formats: mesh_formats mesh_io mesh_readers tangent_field_file vertex_list base64
+core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers tangent_field_file vertex_list welder
+core/formats/gltf: base64
+core/formats/ply:
 core/shapes: shapes
 core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
@@ -106,7 +108,7 @@ function forbid(where, what, pattern, except) {
 function read_table(  lines, part, doors, i, k) {
   rooms = split(substr(ENVIRON["rooms"], 2), lines, "\n")
   for (i = 1; i <= rooms; ++i) {
-    split(lines[i], part, ": ")
+    split(lines[i], part, /: ?/)
     names[i] = part[1]
     place[part[1]] = i
     for (k = split(part[2], doors, " "); k > 0; --k) {

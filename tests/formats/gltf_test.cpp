@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 #include "core/formats/mesh_io.h"
 #include "core/mesh/properties.h"
 #include "tests/support/mesh_files.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/formats/gltf_document.h"
+#include "core/formats/gltf/gltf_document.h"
 
 namespace geolloyd {
 

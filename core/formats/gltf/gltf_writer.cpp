@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 #include "core/formats/mesh_writers.h"
 #include "geolloyd/errors.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/formats/mesh_readers.h"
-#include "core/formats/ply_header.h"
+#include "core/formats/ply/ply_header.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "core/formats/gltf_accessor.h"
+#include "core/formats/gltf/gltf_accessor.h"
 
 #include <algorithm>
 #include <array>

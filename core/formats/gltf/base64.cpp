@@ -1,4 +1,4 @@
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "core/formats/ply_properties.h"
+#include "core/formats/ply/ply_properties.h"
 
 #include <algorithm>
 #include <charconv>

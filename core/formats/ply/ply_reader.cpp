@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "core/formats/mesh_readers.h"
-#include "core/formats/ply_body.h"
-#include "core/formats/ply_header.h"
-#include "core/formats/ply_properties.h"
-#include "core/formats/triangle_strip.h"
+#include "core/formats/ply/ply_body.h"
+#include "core/formats/ply/ply_header.h"
+#include "core/formats/ply/ply_properties.h"
+#include "core/formats/ply/triangle_strip.h"
 
 namespace geolloyd {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/formats/ply_header.h"
+#include "core/formats/ply/ply_header.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/formats/gltf_scene.h"
+#include "core/formats/gltf/gltf_scene.h"
 
 #include <Eigen/Geometry>
 #include <array>

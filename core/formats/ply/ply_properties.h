@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/formats/ply_body.h"
-#include "core/formats/ply_header.h"
+#include "core/formats/ply/ply_body.h"
+#include "core/formats/ply/ply_header.h"
 #include "core/text/text_cursor.h"
 #include "geolloyd/mesh.h"
 

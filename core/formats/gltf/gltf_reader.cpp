@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/formats/corner_properties.h"
-#include "core/formats/gltf_accessor.h"
-#include "core/formats/gltf_scene.h"
+#include "core/formats/gltf/gltf_accessor.h"
+#include "core/formats/gltf/gltf_scene.h"
 #include "core/formats/mesh_readers.h"
 #include "core/formats/welder.h"
 #include "core/mesh/properties.h"

@@ -1,11 +1,11 @@
-#include "core/formats/gltf_document.h"
+#include "core/formats/gltf/gltf_document.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 #include "core/formats/mesh_readers.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"

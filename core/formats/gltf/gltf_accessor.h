@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/formats/gltf_document.h"
+#include "core/formats/gltf/gltf_document.h"
 
 namespace geolloyd {
 
