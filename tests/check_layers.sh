@@ -12,6 +12,7 @@ core/include/geolloyd
 core/base
 core/text
 core/mesh
+core/properties
 core/repair: repair
 core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers tangent_field_file vertex_list welder
 core/formats/gltf: base64

@@ -12,7 +12,7 @@
 #include "core/formats/gltf/gltf_scene.h"
 #include "core/formats/mesh_readers.h"
 #include "core/formats/welder.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/formats/mesh_writers.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 #include <algorithm>
 #include <limits>

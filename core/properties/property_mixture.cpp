@@ -1,4 +1,4 @@
-#include "core/mesh/property_mixture.h"
+#include "core/properties/property_mixture.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "core/base/loops.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {
