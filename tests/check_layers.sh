@@ -13,8 +13,9 @@ core/base
 core/text
 core/mesh
 core/properties
+core/fields: cross_field curvature_field metric_mean tangent_field tangent_field_file tangent_plane
 core/repair: repair
-core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers tangent_field_file vertex_list welder
+core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers vertex_list welder
 core/formats/gltf: base64
 core/formats/ply:
 core/shapes: shapes

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/mesh/tangent_field.h"
+#include "core/fields/tangent_field.h"
 
 namespace geolloyd {
 

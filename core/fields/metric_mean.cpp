@@ -1,4 +1,4 @@
-#include "core/mesh/metric_mean.h"
+#include "core/fields/metric_mean.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/vec3.h"
-#include "core/mesh/principal_direction.h"
-#include "core/mesh/tangent_plane.h"
+#include "core/fields/principal_direction.h"
+#include "core/fields/tangent_plane.h"
 
 namespace geolloyd {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh/cross_field.h"
+#include "core/fields/cross_field.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 
 #include "core/base/loops.h"
 #include "core/base/vec3.h"
-#include "core/mesh/curvature_field.h"
-#include "core/mesh/principal_direction.h"
-#include "core/mesh/tangent_plane.h"
+#include "core/fields/curvature_field.h"
+#include "core/fields/principal_direction.h"
+#include "core/fields/tangent_plane.h"
 
 namespace geolloyd {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/mesh/tangent_field.h"
+#include "core/fields/tangent_field.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/base/vec3.h"
-#include "core/mesh/metric_mean.h"
+#include "core/fields/metric_mean.h"
 
 namespace geolloyd {
 namespace {

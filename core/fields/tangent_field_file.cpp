@@ -1,4 +1,4 @@
-#include "core/formats/tangent_field_file.h"
+#include "core/fields/tangent_field_file.h"
 
 #include <array>
 #include <cmath>

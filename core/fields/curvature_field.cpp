@@ -1,4 +1,4 @@
-#include "core/mesh/curvature_field.h"
+#include "core/fields/curvature_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "core/base/buffer.h"
 #include "core/base/loops.h"
 #include "core/base/vec3.h"
+#include "core/fields/principal_direction.h"
+#include "core/fields/tangent_plane.h"
 #include "core/mesh/mesh_measure.h"
-#include "core/mesh/principal_direction.h"
-#include "core/mesh/tangent_plane.h"
 
 namespace geolloyd {
 namespace {
