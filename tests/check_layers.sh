@@ -49,7 +49,9 @@ tools/files
 tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
 tools/run: memory_need checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
-tools/view: assets http_server layers page page_contents saving session
+tools/view: assets bundle layers page page_contents
+tools/view/session: saving session
+tools/view/http: http_server
 tools/laboratory: laboratory
 tools/commands
 bench/support
@@ -91,7 +93,7 @@ function rules() {
          "^parallel/threads$")
   forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
   forbid("", "knows Cairo", "<cairo", "^tools/render$")
-  forbid("", "knows Boost", "<boost/", "^tools/view$")
+  forbid("", "knows Boost", "<boost/", "^tools/view/http$")
   forbid("", "knows CLI11", "<CLI/", "^tools/(cli|laboratory|commands)$")
   forbid("/include/", "is public, but includes what is not", "#include \"(core|parallel|tools)/", "")
   forbid("^tools/", "names a struct of the command line",

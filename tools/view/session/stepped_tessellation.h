@@ -10,7 +10,7 @@
 #include "core/regions/tessellation.h"
 #include "geolloyd/runtime.h"
 #include "tools/run/stages.h"
-#include "tools/view/session_options.h"
+#include "tools/view/session/session_options.h"
 
 namespace geolloyd {
 

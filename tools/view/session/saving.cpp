@@ -1,4 +1,4 @@
-#include "tools/view/saving.h"
+#include "tools/view/session/saving.h"
 
 #include <array>
 #include <utility>
@@ -14,11 +14,11 @@
 #include "tools/run/dual.h"
 #include "tools/run/result.h"
 #include "tools/system/machine.h"
-#include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
-#include "tools/view/session_model.h"
+#include "tools/view/session/command_lines.h"
+#include "tools/view/session/session_model.h"
 
 namespace geolloyd {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "core/base/stopwatch.h"
-#include "tools/view/session_model.h"
+#include "tools/view/session/session_model.h"
 
 namespace geolloyd {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tools/view/http_message.h"
+#include "tools/view/http/http_message.h"
 
 namespace geolloyd {
 

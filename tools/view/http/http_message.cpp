@@ -1,4 +1,4 @@
-#include "tools/view/http_message.h"
+#include "tools/view/http/http_message.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/view/http_guard.h"
+#include "tools/view/http/http_guard.h"
 
 #include <fmt/format.h>
 #include <sys/random.h>

@@ -1,4 +1,4 @@
-#include "tools/view/http_server.h"
+#include "tools/view/http/http_server.h"
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
@@ -13,7 +13,7 @@
 
 #include "core/base/stopwatch.h"
 #include "geolloyd/errors.h"
-#include "tools/view/http_connection.h"
+#include "tools/view/http/http_connection.h"
 
 namespace geolloyd {
 namespace {

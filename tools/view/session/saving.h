@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/regions/graph_dual.h"
-#include "tools/view/session_command.h"
-#include "tools/view/stepped_tessellation.h"
+#include "tools/view/session/session_command.h"
+#include "tools/view/session/stepped_tessellation.h"
 
 namespace geolloyd {
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "tools/view/http_reader.h"
-#include "tools/view/http_site.h"
+#include "tools/view/http/http_reader.h"
+#include "tools/view/http/http_site.h"
 
 namespace geolloyd {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/view/stepped_tessellation.h"
+#include "tools/view/session/stepped_tessellation.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/json_values.h"
+#include "tools/view/session/json_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

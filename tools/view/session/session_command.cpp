@@ -1,4 +1,4 @@
-#include "tools/view/session_command.h"
+#include "tools/view/session/session_command.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geolloyd/errors.h"
-#include "tools/view/json_values.h"
+#include "tools/view/session/json_values.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/session_options.h"
+#include "tools/view/session/session_options.h"
 
 #include <cstdint>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geolloyd/errors.h"
-#include "tools/view/json_values.h"
+#include "tools/view/session/json_values.h"
 #include "tools/words/names.h"
 
 namespace geolloyd {

@@ -1,4 +1,4 @@
-#include "tools/view/http_site.h"
+#include "tools/view/http/http_site.h"
 
 #include <string>
 #include <utility>

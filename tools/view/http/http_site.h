@@ -3,9 +3,9 @@
 #include <functional>
 #include <string_view>
 
-#include "tools/view/http_guard.h"
-#include "tools/view/http_message.h"
-#include "tools/view/session.h"
+#include "tools/view/http/http_guard.h"
+#include "tools/view/http/http_message.h"
+#include "tools/view/session/session.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/stepped_tessellation.h"
+#include "tools/view/session/stepped_tessellation.h"
 
 #include <fmt/format.h>
 

@@ -16,8 +16,8 @@
 #include "tools/files/json.h"
 #include "tools/render/surface_colours.h"
 #include "tools/view/bundle.h"
-#include "tools/view/session_command.h"
-#include "tools/view/stepped_tessellation.h"
+#include "tools/view/session/session_command.h"
+#include "tools/view/session/stepped_tessellation.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/command_lines.h"
+#include "tools/view/session/command_lines.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "tools/view/http_site.h"
+#include "tools/view/http/http_site.h"
 
 namespace geolloyd {
 

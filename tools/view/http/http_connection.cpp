@@ -1,4 +1,4 @@
-#include "tools/view/http_connection.h"
+#include "tools/view/http/http_connection.h"
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>

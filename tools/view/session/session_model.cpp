@@ -1,4 +1,4 @@
-#include "tools/view/session_model.h"
+#include "tools/view/session/session_model.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -12,9 +12,9 @@
 #include "tools/run/dual.h"
 #include "tools/run/remesh.h"
 #include "tools/system/memory_limit.h"
-#include "tools/view/command_lines.h"
 #include "tools/view/layers.h"
-#include "tools/view/saving.h"
+#include "tools/view/session/command_lines.h"
+#include "tools/view/session/saving.h"
 
 namespace geolloyd {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/view/http_reader.h"
+#include "tools/view/http/http_reader.h"
 
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
