@@ -41,7 +41,8 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation: attribute_transfer embree_scene ground_truth likeness metric_quality remesh_figures statistics tolerance_search remesh_figures tolerance_search
+tools/evaluation/distances: closest_places embree_scene point_queries surface_distance
+tools/evaluation: attribute_transfer ground_truth likeness metric_quality remesh_figures statistics tolerance_search
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
@@ -91,7 +92,7 @@ function rules() {
          "std::(cout|cerr|clog|exit|abort)|(^|[^a-z_])f?printf[(]|fputs[(]", "")
   forbid("", "starts threads", "<(tbb|oneapi)/|<omp[.]h>|#pragma omp|std::(jthread|async)",
          "^parallel/threads$")
-  forbid("", "knows Embree", "<embree", "^tools/(evaluation|render)$")
+  forbid("", "knows Embree", "<embree", "^tools/(evaluation/distances|render)$")
   forbid("", "knows Cairo", "<cairo", "^tools/render$")
   forbid("", "knows Boost", "<boost/", "^tools/view/http$")
   forbid("", "knows CLI11", "<CLI/", "^tools/(cli|laboratory|commands)$")

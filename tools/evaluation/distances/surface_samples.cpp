@@ -1,4 +1,4 @@
-#include "tools/evaluation/surface_samples.h"
+#include "tools/evaluation/distances/surface_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "tools/evaluation/closest_places.h"
+#include "tools/evaluation/distances/closest_places.h"
 
 #include "core/base/loops.h"
 #include "core/mesh/closest_on_triangle.h"
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 namespace geolloyd {
 

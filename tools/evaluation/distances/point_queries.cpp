@@ -1,4 +1,4 @@
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 
 #include "core/mesh/closest_on_triangle.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/embree_scene.h"
-#include "tools/evaluation/unit_frame.h"
+#include "tools/evaluation/distances/embree_scene.h"
+#include "tools/evaluation/distances/unit_frame.h"
 
 namespace geolloyd {
 namespace {

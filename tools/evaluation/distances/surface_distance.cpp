@@ -1,4 +1,4 @@
-#include "tools/evaluation/surface_distance.h"
+#include "tools/evaluation/distances/surface_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "core/base/executor.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_measure.h"
-#include "tools/evaluation/point_queries.h"
-#include "tools/evaluation/surface_samples.h"
+#include "tools/evaluation/distances/point_queries.h"
+#include "tools/evaluation/distances/surface_samples.h"
 
 namespace geolloyd {
 namespace {
