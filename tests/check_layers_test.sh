@@ -27,6 +27,7 @@ finds() {  # file, what is said of it, line that is added to it
 finds core/mesh/mesh.h 'includes from a later room' '#include "core/graph/graph.h"'
 finds core/regions/tessellation.cpp 'includes what is no door of its room' '#include "core/dual/surface_scan.h"'
 finds tools/cli/number_option.cpp 'includes what is no door of its room' '#include "core/graph/mesh_arcs.h"'
+finds core/graph/graph.cpp 'includes what is no door of its room' '#include "core/formats/ply/ply_header.h"'
 finds core/regions/tessellation.cpp 'includes from a later room' '#include "parallel/threads/scheduler.h"'
 finds parallel/threads/scheduler.h 'includes from a later room' '#include "parallel/engine/parallel_engine.h"'
 finds tools/words/names.h 'includes from a later room' '#include "tools/cli/number_option.h"'

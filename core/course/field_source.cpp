@@ -1,8 +1,8 @@
 #include "core/course/field_source.h"
 
-#include "core/formats/tangent_field_file.h"
-#include "core/mesh/cross_field.h"
-#include "core/mesh/curvature_field.h"
+#include "core/fields/cross_field.h"
+#include "core/fields/curvature_field.h"
+#include "core/fields/tangent_field_file.h"
 
 namespace geolloyd {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

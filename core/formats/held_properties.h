@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/formats/mesh_formats.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 

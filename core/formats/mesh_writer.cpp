@@ -7,7 +7,7 @@
 
 #include "core/formats/held_properties.h"
 #include "core/formats/mesh_writers.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/base/vec3.h"
-#include "core/mesh/tangent_field.h"
+#include "core/fields/tangent_field.h"
 #include "geolloyd/choices.h"
 
 namespace geolloyd {

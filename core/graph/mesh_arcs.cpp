@@ -7,10 +7,10 @@
 #include "core/base/huge_pages.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
+#include "core/fields/metric_mean.h"
+#include "core/fields/tangent_plane.h"
 #include "core/graph/geodesic_shortcuts.h"
 #include "core/mesh/connectivity.h"
-#include "core/mesh/metric_mean.h"
-#include "core/mesh/tangent_plane.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {

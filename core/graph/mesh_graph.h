@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "core/fields/tangent_field.h"
 #include "core/graph/arc_length.h"
 #include "core/graph/graph.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/mesh/tangent_field.h"
 #include "geolloyd/choices.h"
 
 namespace geolloyd {

@@ -1,7 +1,7 @@
 #include "geolloyd/fields.h"
 
-#include "core/mesh/cross_field.h"
-#include "core/mesh/curvature_field.h"
+#include "core/fields/cross_field.h"
+#include "core/fields/curvature_field.h"
 
 namespace geolloyd {
 

@@ -6,8 +6,8 @@
 #include "core/course/remesh_course.h"
 #include "core/library/tessellated_graph.h"
 #include "core/mesh/mesh_edges.h"
-#include "core/mesh/properties.h"
-#include "core/mesh/property_mixture.h"
+#include "core/properties/properties.h"
+#include "core/properties/property_mixture.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {

@@ -1,4 +1,4 @@
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "core/mesh/closest_on_triangle.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/unit_frame.h"
+#include "tools/evaluation/distances/unit_frame.h"
 #include "tools/render/ray_caster.h"
 
 namespace geolloyd {

@@ -1,4 +1,4 @@
-#include "tools/evaluation/surface_distance.h"
+#include "tools/evaluation/distances/surface_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "core/mesh/subdivide.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/point_queries.h"
-#include "tools/evaluation/surface_samples.h"
+#include "tools/evaluation/distances/point_queries.h"
+#include "tools/evaluation/distances/surface_samples.h"
 
 namespace geolloyd {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 #include "core/formats/mesh_io.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/temporary_folder.h"
 

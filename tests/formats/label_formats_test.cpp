@@ -8,7 +8,7 @@
 
 #include "core/formats/mesh_io.h"
 #include "core/formats/mesh_readers.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/text/file_io.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/temporary_folder.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/formats/mesh_io.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"

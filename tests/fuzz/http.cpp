@@ -13,8 +13,8 @@
 #include "core/shapes/shapes.h"
 #include "geolloyd/threads.h"
 #include "tests/fuzz/target.h"
-#include "tools/view/http_reader.h"
-#include "tools/view/http_site.h"
+#include "tools/view/http/http_reader.h"
+#include "tools/view/http/http_site.h"
 
 namespace geolloyd::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/formats/tangent_field_file.h"
+#include "core/fields/tangent_field_file.h"
 #include "core/graph/mesh_graph.h"
 #include "tests/fuzz/target.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/curvature_field.h"
+#include "core/fields/curvature_field.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/surface/result/remesh.h"
 #include "core/text/file_io.h"

@@ -8,8 +8,8 @@
 #include <ostream>
 #include <string>
 
+#include "core/fields/tangent_field_file.h"
 #include "core/formats/mesh_io.h"
-#include "core/formats/tangent_field_file.h"
 #include "core/lloyd/reference_engine.h"
 #include "core/lloyd/relaxation.h"
 #include "core/seeds/seed_file.h"

@@ -1,4 +1,4 @@
-#include "core/mesh/cross_field.h"
+#include "core/fields/cross_field.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/base/random.h"
 #include "core/base/vec3.h"
-#include "core/mesh/tangent_plane.h"
+#include "core/fields/tangent_plane.h"
 #include "core/shapes/shapes.h"
 
 namespace geolloyd {

@@ -1,4 +1,4 @@
-#include "core/mesh/curvature_field.h"
+#include "core/fields/curvature_field.h"
 
 #include <gtest/gtest.h>
 

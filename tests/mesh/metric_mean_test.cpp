@@ -1,4 +1,4 @@
-#include "core/mesh/metric_mean.h"
+#include "core/fields/metric_mean.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 
 #include "core/base/random.h"
 #include "core/base/vec3.h"
+#include "core/fields/principal_direction.h"
+#include "core/fields/tangent_field.h"
 #include "core/graph/arc_length.h"
-#include "core/mesh/principal_direction.h"
-#include "core/mesh/tangent_field.h"
 
 namespace geolloyd {
 namespace {

@@ -1,5 +1,5 @@
 // Properties of a remesh, from those of the mesh.
-#include "core/mesh/property_mixture.h"
+#include "core/properties/property_mixture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/remesh.h"
 

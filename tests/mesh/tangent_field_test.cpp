@@ -1,4 +1,4 @@
-#include "core/mesh/tangent_field.h"
+#include "core/fields/tangent_field.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/random.h"
-#include "core/formats/tangent_field_file.h"
+#include "core/fields/tangent_field_file.h"
 #include "core/graph/arc_length.h"
 #include "geolloyd/errors.h"
 #include "tests/support/temporary_folder.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/fields/principal_direction.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_quality.h"
-#include "core/mesh/principal_direction.h"
 #include "core/shapes/shapes.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/field_metric.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/support/same_bytes.h"
+#include "core/fields/cross_field.h"
+#include "core/fields/curvature_field.h"
 #include "core/graph/mesh_graph.h"
-#include "core/mesh/cross_field.h"
-#include "core/mesh/curvature_field.h"
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/support/same_bytes.h"
-#include "core/mesh/curvature_field.h"
+#include "core/fields/curvature_field.h"
 #include "core/shapes/shapes.h"
 #include "core/surface/cells/reference_surface_engine.h"
 #include "core/surface/result/remesh.h"

@@ -15,7 +15,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/shapes/shapes.h"
 #include "core/text/file_io.h"
 #include "tests/support/program.h"

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "tests/view/session_fixture.h"
-#include "tools/view/http_server.h"
-#include "tools/view/session.h"
+#include "tools/view/http/http_server.h"
+#include "tools/view/session/session.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/session_command.h"
+#include "tools/view/session/session_command.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/run/input.h"
-#include "tools/view/saving.h"
-#include "tools/view/session_model.h"
+#include "tools/view/session/saving.h"
+#include "tools/view/session/session_model.h"
 
 namespace geolloyd {
 

@@ -1,4 +1,4 @@
-#include "tools/view/session_model.h"
+#include "tools/view/session/session_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/view/session.h"
+#include "tools/view/session/session.h"
 
 #include <gtest/gtest.h>
 

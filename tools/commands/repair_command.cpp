@@ -13,7 +13,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "tools/cli/format_option.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"

@@ -18,9 +18,9 @@
 #include "tools/system/interrupt.h"
 #include "tools/system/progress.h"
 #include "tools/view/assets.h"
-#include "tools/view/http_server.h"
-#include "tools/view/saving.h"
-#include "tools/view/session.h"
+#include "tools/view/http/http_server.h"
+#include "tools/view/session/saving.h"
+#include "tools/view/session/session.h"
 
 namespace geolloyd {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "core/base/loops.h"
 #include "core/mesh/closest_on_triangle.h"
-#include "core/mesh/properties.h"
-#include "core/mesh/property_mixture.h"
-#include "tools/evaluation/point_queries.h"
+#include "core/properties/properties.h"
+#include "core/properties/property_mixture.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 namespace geolloyd {
 namespace {

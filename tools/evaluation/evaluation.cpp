@@ -6,9 +6,9 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
-#include "tools/evaluation/closest_places.h"
+#include "tools/evaluation/distances/closest_places.h"
+#include "tools/evaluation/distances/surface_distance.h"
 #include "tools/evaluation/ground_truth.h"
-#include "tools/evaluation/surface_distance.h"
 #include "tools/evaluation/tolerance_search.h"
 
 namespace geolloyd {

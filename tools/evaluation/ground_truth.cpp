@@ -6,7 +6,7 @@
 #include "core/base/executor.h"
 #include "core/base/hexagonal_energy.h"
 #include "core/base/loops.h"
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 namespace geolloyd {
 namespace {

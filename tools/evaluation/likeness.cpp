@@ -5,9 +5,9 @@
 #include "core/base/hexagonal_energy.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_edges.h"
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
+#include "tools/evaluation/distances/surface_distance.h"
 #include "tools/evaluation/site_energy.h"
-#include "tools/evaluation/surface_distance.h"
 
 namespace geolloyd {
 

@@ -12,8 +12,8 @@
 #include "core/surface/sizing/field_metric.h"
 #include "core/surface/sizing/recipe.h"
 #include "core/surface/substrate/surface_input.h"
-#include "tools/evaluation/closest_places.h"
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/closest_places.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 namespace geolloyd {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/sizing/field_metric.h"
-#include "tools/evaluation/surface_distance.h"
+#include "tools/evaluation/distances/surface_distance.h"
 
 namespace geolloyd {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/base/buffer.h"
 #include "core/base/loops.h"
 #include "core/mesh/mesh_measure.h"
-#include "tools/evaluation/point_queries.h"
+#include "tools/evaluation/distances/point_queries.h"
 
 namespace geolloyd {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
-#include "tools/evaluation/surface_distance.h"
+#include "tools/evaluation/distances/surface_distance.h"
 #include "tools/evaluation/vertex_search.h"
 
 namespace geolloyd {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/text/text_cursor.h"
 #include "geolloyd/errors.h"
 

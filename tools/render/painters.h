@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/fields/tangent_field.h"
 #include "core/graph/mesh_graph.h"
-#include "core/mesh/tangent_field.h"
 #include "core/voronoi/partition.h"
 #include "tools/render/canvas.h"
 #include "tools/render/surface_colours.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tools/evaluation/embree_scene.h"
+#include "tools/evaluation/distances/embree_scene.h"
 
 namespace geolloyd {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/rounding.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

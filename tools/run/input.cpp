@@ -6,7 +6,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_readers.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/text/compression.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"

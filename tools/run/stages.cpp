@@ -6,7 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "core/graph/graph.h"
 #include "core/library/reference_runtime.h"
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 #include "core/start/first_seeds.h"
 #include "geolloyd/threads.h"
 #include "tools/render/picture.h"

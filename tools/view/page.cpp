@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/formats/base64.h"
+#include "core/formats/gltf/base64.h"
 #include "core/text/file_writer.h"
 #include "tools/view/assets.h"
 #include "tools/view/simplify.h"

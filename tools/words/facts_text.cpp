@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/mesh/properties.h"
+#include "core/properties/properties.h"
 
 namespace geolloyd {
 namespace {

@@ -35,7 +35,7 @@ struct TangentSpace {
 /// How the tangent spaces at the ends of an arc, or at the corners of a triangle, become one.
 enum class Averaging {
   pairwise,  ///< directions with those nearest to them, magnitudes with theirs (the thesis)
-  metric,    ///< as metrics, any number at once (core/mesh/metric_mean.h); for the geodesic norm
+  metric,    ///< as metrics, any number at once (core/fields/metric_mean.h); for the geodesic norm
 };
 
 /// Other norms depend on the directions, which a metric may not have.

@@ -12,12 +12,12 @@ namespace geolloyd {
 // mesh is not valid.
 
 /// The principal directions of curvature, with magnitudes that go as the roots of the principal
-/// curvatures (core/mesh/curvature_field.h): equal lengths in the metric are equal heights of the
+/// curvatures (core/fields/curvature_field.h): equal lengths in the metric are equal heights of the
 /// surface above its chords.
 std::vector<TangentSpace> curvature_field(const Mesh& mesh, Runtime& runtime = all_threads());
 
 /// Directions at a right angle, as smooth as can be, with magnitudes of 1
-/// (core/mesh/cross_field.h): the axes that norms other than the geodesic one want.
+/// (core/fields/cross_field.h): the axes that norms other than the geodesic one want.
 std::vector<TangentSpace> cross_field(const Mesh& mesh, Runtime& runtime = all_threads());
 
 }  // namespace geolloyd

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/loops.h"
-#include "core/mesh/tangent_plane.h"
+#include "core/fields/tangent_plane.h"
 #include "core/surface/substrate/coarse_mesh.h"
 
 namespace geolloyd {

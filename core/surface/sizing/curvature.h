@@ -13,8 +13,8 @@ namespace geolloyd {
 /// flat. It is that of normals averaged over about a third of `spacing` (unit frame), so that the
 /// noise of a scan is no curvature, and features are none either.
 ///
-/// There is another estimator, core/mesh/curvature_field.h: that one has directions and depends on
-/// the mesh alone; this one sizes edges, and so depends on how long they are to be.
+/// There is another estimator, core/fields/curvature_field.h: that one has directions and depends
+/// on the mesh alone; this one sizes edges, and so depends on how long they are to be.
 std::vector<double> relative_curvatures(const Mesh& mesh, const SurfaceInput& input, double spacing,
                                         Executor& executor = sequential());
 

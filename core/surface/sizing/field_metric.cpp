@@ -6,13 +6,13 @@
 #include <sstream>
 
 #include "core/base/vec3.h"
-#include "core/mesh/metric_mean.h"
+#include "core/fields/metric_mean.h"
 #include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
 
-// What cells can follow. Curvature fields have less (core/mesh/curvature_field.h).
+// What cells can follow. Curvature fields have less (core/fields/curvature_field.h).
 constexpr double widest_stretch = 100 * (1 + 1e-9);  // but for rounding
 
 bool has_stretch(const TangentSpace& space) {
