@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -48,6 +49,33 @@ inline Mesh sharp_prism(std::uint32_t sides) {
 /// Height 2, radius 1; its side is smooth but for the tip.
 inline Mesh sharp_cone(std::uint32_t sides) {
   return turned_solid(sides, 0, 2, {{1, 0}});
+}
+
+/// A square plate of side 2 with a round hole of so many corners, a multiple of 8, through its
+/// middle.
+inline Mesh pierced_plate(double radius, double thickness, std::uint32_t corners) {
+  Mesh mesh;
+  for (std::uint32_t ring = 0; ring < 4;
+       ++ring) {  // below and above outside, above and below inside
+    const double height = ring == 1 || ring == 2 ? thickness : 0;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      const double x = std::cos(angle);
+      const double y = std::sin(angle);
+      const double reach = ring < 2 ? 1 / std::max(std::abs(x), std::abs(y)) : radius;
+      mesh.positions.emplace_back(reach * x, reach * y, height);
+    }
+  }
+  for (std::uint32_t ring = 0; ring < 4; ++ring) {
+    const VertexId here = ring * corners;
+    const VertexId beyond = (ring + 1) % 4 * corners;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const std::uint32_t next = (i + 1) % corners;
+      mesh.triangles.push_back({here + i, here + next, beyond + next});
+      mesh.triangles.push_back({here + i, beyond + next, beyond + i});
+    }
+  }
+  return mesh;
 }
 
 /// A triangular prism of length 1 whose two long faces meet at so many degrees.

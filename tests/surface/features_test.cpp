@@ -155,19 +155,66 @@ TEST(Features, AreNotFoundInNoise) {
     const MeshEdges edges = find_edges(rough);
     for (const double vertices : {100.0, 2000.0, 20'000.0, 200'000.0}) {
       const double spacing = std::sqrt(2 * area / (std::sqrt(3.0) * vertices));
-      EXPECT_TRUE(find_features(rough, edges, {}, spacing).empty()) << noise << " " << vertices;
+      EXPECT_EQ(find_features(rough, edges, {}, spacing).size(), 0U) << noise << " " << vertices;
     }
   }
+}
+
+double length_of(const Mesh& mesh, const std::vector<TrianglePair>& creases) {
+  double sum = 0;
+  for (const auto& [t, u] : creases) {
+    std::vector<Vec3> shared;
+    for (const VertexId v : mesh.triangles[t]) {
+      for (const VertexId w : mesh.triangles[u]) {
+        if (v == w) shared.push_back(mesh.positions[v]);
+      }
+    }
+    EXPECT_EQ(shared.size(), 2U);
+    sum += norm(shared[0] - shared[1]);
+  }
+  return sum;
+}
+
+// A twelfth of its edges' length is rough; the edges elsewhere are found all the same.
+TEST(Features, OfACubeWithNoiseInOnePlace) {
+  Mesh solid = cube(12 * 20 * 20);
+  const Mesh rough = with_noise(solid, 0.5);
+  const Vec3 corner = solid.positions.front();
+  for (VertexId v = 0; v < solid.vertex_count(); ++v) {
+    if (norm(solid.positions[v] - corner) < 1.0 / 3) solid.positions[v] = rough.positions[v];
+  }
+  const double length = length_of(solid, find_features(solid, find_edges(solid), {}, 0.1));
+  EXPECT_GE(length, 12 - 3 * (1.0 / 3 + 0.1));
+  EXPECT_LE(length, 12.5);
+}
+
+// A chamfer narrower than edges are long is one crease, a wide one is two.
+TEST(Features, OfAChamfer) {
+  const double side = std::numbers::sqrt2;
+  const auto length_with = [&](double width) {
+    const Mesh solid = turned_solid(4, -1, 1, {{1, -1}, {1, 1 - width / side}, {1 - width, 1}});
+    return length_of(solid, find_features(solid, find_edges(solid), {}, 0.2));
+  };
+  EXPECT_NEAR(length_with(0.02), 4 * side + 4 * (2 - 0.02 / side) + 4 * side, 1e-9);
+  EXPECT_GT(length_with(0.4), 4 * side + 4 * (2 - 0.4 / side) + 4 * side + 4 * 0.6 * side);
+}
+
+// A wall or a step that is thinner than edges keeps both of its rims.
+TEST(Features, OfAThinPlate) {
+  const Mesh plate = pierced_plate(0.5, 0.01, 32);
+  const double rims = 2 * (8 + 32 * std::sin(std::numbers::pi / 32));
+  EXPECT_NEAR(length_of(plate, find_features(plate, find_edges(plate), {}, 0.1)), rims + 4 * 0.01,
+              1e-9);
 }
 
 // A loose edge of a crease that ends on a smooth surface is left out where it is short.
 TEST(Features, OfACreaseThatFades) {
   Mesh plane;
   constexpr VertexId columns = 4;
-  constexpr VertexId rows = 20;
+  constexpr VertexId rows = 80;
   for (VertexId y = 0; y <= rows; ++y) {
     for (VertexId x = 0; x <= columns; ++x) {
-      const double fold = std::max(0.0, 1 - y / 10.0);  // ends in the middle
+      const double fold = std::max(0.0, 1 - y / 40.0);  // ends in the middle
       plane.positions.emplace_back(x, y, -2 * fold * std::abs(x - 2.0));
       if (x == columns || y == rows) continue;
       const VertexId at = y * (columns + 1) + x;
@@ -177,7 +224,7 @@ TEST(Features, OfACreaseThatFades) {
   }
   const MeshEdges edges = find_edges(plane);
   EXPECT_FALSE(find_features(plane, edges, {}, 0.5).empty());
-  EXPECT_TRUE(find_features(plane, edges, {}, 5).empty());
+  EXPECT_TRUE(find_features(plane, edges, {}, 10).empty());
 }
 
 // On a sphere, which has no creases: its equator.

@@ -153,10 +153,15 @@ void add_feature_options(CLI::App& command, RemeshRequest& request) {
                   "'" + text + "': give auto, off, or an angle above 0 and up to 180 degrees");
             }
           },
-          "Sharp edges that the remesh keeps: auto finds those that stand\n"
-          "out, an angle in degrees takes all edges that turn so far")
+          "Sharp edges that the remesh keeps: auto finds those between\n"
+          "faces, an angle in degrees takes all edges that turn so far")
       ->type_name("auto|off|ANGLE")
       ->default_str("auto")
+      ->group(feature_group);
+  command
+      .add_flag("!--no-small-features", request.options.features.small,
+                "Edges as long as elsewhere where holes and walls are smaller\n"
+                "than edges, which then lose their shape")
       ->group(feature_group);
   command
       .add_option("--feature-labels", request.labels,

@@ -68,6 +68,8 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["curve_vertices"] = remesh.curve_vertices;
   report["feature_length"] = remesh.feature_length();
   report["subresolution_holes"] = remesh.subresolution_holes;
+  report["small_feature_share"] = remesh.small_feature_share;
+  report["small_features_limited"] = remesh.small_features_limited;
   report["edges_flipped"] = remesh.edges_flipped;
   report["vertices_fitted"] = remesh.vertices_fitted;
   report["closed_ball_violations_left"] = remesh.violations_left;
@@ -80,7 +82,7 @@ py::dict report_of(const ToleranceRemesh& made) {
   return report;
 }
 
-FeatureOptions features_of(const std::string& creases, double angle,
+FeatureOptions features_of(const std::string& creases, double angle, bool small,
                            const std::optional<IdArray>& edges,
                            const std::optional<IdArray>& groups,
                            const std::optional<IdArray>& fixed) {
@@ -89,6 +91,7 @@ FeatureOptions features_of(const std::string& creases, double angle,
   FeatureOptions features;
   features.creases = choice_of("features", names, creases);
   features.crease_angle = angle;
+  features.small = small;
   features.edges = pairs_of("feature_edges", edges);
   features.groups = ids_of("labels", groups);
   features.fixed_vertices = ids_of("fixed", fixed);
@@ -100,7 +103,7 @@ py::tuple remesh_arrays(const NumberArray& vertices, const IdArray& faces, std::
                         const std::optional<NumberArray>& lengths,
                         const std::optional<NumberArray>& densities, double adapt, double growth,
                         const std::optional<NumberArray>& field, bool by_curvature,
-                        const std::string& creases, double crease_angle,
+                        const std::string& creases, double crease_angle, bool small_features,
                         const std::optional<IdArray>& feature_edges,
                         const std::optional<IdArray>& groups, const std::optional<IdArray>& fixed,
                         bool fit, const py::object& progress, std::size_t threads) {
@@ -108,7 +111,8 @@ py::tuple remesh_arrays(const NumberArray& vertices, const IdArray& faces, std::
   RemeshOptions options;
   options.sizing = {numbers_of(lengths), numbers_of(densities), adapt, growth};
   options.field = spaces_of(field);
-  options.features = features_of(creases, crease_angle, feature_edges, groups, fixed);
+  options.features =
+      features_of(creases, crease_angle, small_features, feature_edges, groups, fixed);
   options.fit = fit;
   Watch watch(progress);
   options.progress = [&watch](const RemeshProgress& p) {
@@ -136,8 +140,8 @@ void bind_remesh(py::module_& module) {
              py::arg("count"), py::arg("edge_length"), py::arg("tolerance"), py::arg("lengths"),
              py::arg("densities"), py::arg("adapt"), py::arg("growth"), py::arg("field"),
              py::arg("by_curvature"), py::arg("creases"), py::arg("crease_angle"),
-             py::arg("feature_edges"), py::arg("groups"), py::arg("fixed"), py::arg("fit"),
-             py::arg("progress"), py::arg("threads"));
+             py::arg("small_features"), py::arg("feature_edges"), py::arg("groups"),
+             py::arg("fixed"), py::arg("fit"), py::arg("progress"), py::arg("threads"));
 }
 
 }  // namespace geolloyd

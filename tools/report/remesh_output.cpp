@@ -123,6 +123,11 @@ std::string describe(const Remesh& remesh) {
                                   counted(remesh.feature_edges.size(), "edge", "edges"),
                                   remesh.feature_length()));
   }
+  if (remesh.small_feature_share > 0) {
+    text += continued(fmt::format("{:.1f} % of the vertices for shorter edges at small features{}",
+                                  100 * remesh.small_feature_share,
+                                  remesh.small_features_limited ? ", which is the most" : ""));
+  }
   if (remesh.subresolution_holes > 0) {
     text += continued(counted(remesh.subresolution_holes,
                               "hole smaller than a triangle is a missing triangle",
@@ -203,6 +208,8 @@ Json remesh_part(const Remesh& remesh) {
           {"feature_edges", remesh.feature_edges.size()},
           {"feature_length", remesh.feature_length()},
           {"subresolution_holes", remesh.subresolution_holes},
+          {"small_feature_share", remesh.small_feature_share},
+          {"small_features_limited", remesh.small_features_limited},
           {"edges_flipped", remesh.edges_flipped},
           {"vertices_fitted", remesh.vertices_fitted},
           {"is_manifold", remesh.is_manifold()},
@@ -327,6 +334,7 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
           {"repair", request.repair.has_value()},
           {"fill_holes", fill_holes_part(request.repair)},
           {"features", name_of_creases(options.features)},
+          {"small_features", options.features.small},
           {"feature_edges", request.edges_file.string()},
           {"feature_labels", request.labels},
           {"fixed", request.fixed_file.string()},

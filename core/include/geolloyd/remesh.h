@@ -54,8 +54,7 @@ struct RemeshProgress {
 
 /// Edges of a mesh at which its surface turns.
 enum class Creases {
-  automatic,  ///< from 60 degrees on, continued by edges from 40 on, where what is around is
-              ///< smooth; none on scans
+  automatic,  ///< from 40 degrees on, where the surface beside them is flat; none on scans
   by_angle,   ///< from an angle on
   none
 };
@@ -64,7 +63,9 @@ enum class Creases {
 /// The boundary always does.
 struct FeatureOptions {
   Creases creases = Creases::automatic;
-  double crease_angle = 40;                    ///< by_angle: degrees, above 0 and up to 180
+  double crease_angle = 40;  ///< by_angle: degrees, above 0 and up to 180
+  bool small = true;  ///< shorter edges where loops and walls are smaller than edges otherwise are;
+                      ///< they take up to a third of the vertices
   std::vector<std::array<VertexId, 2>> edges;  ///< further ones, in any order
   std::vector<std::uint32_t> groups;           ///< per triangle, or empty: borders between them
   std::vector<VertexId> fixed_vertices;        ///< become vertices of the remesh, in that place
@@ -130,6 +131,9 @@ struct Remesh {
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
   std::size_t vertices_fitted = 0;          ///< moved off the surface
   std::size_t vertices_cut = 0;             ///< of the input: where it is no manifold
+  double small_feature_share = 0;           ///< of the vertices: those that shorter edges at small
+                                            ///< features took
+  bool small_features_limited = false;      ///< these would have taken more than they may
   std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
   std::uint64_t fingerprint = 0;    ///< of the whole course; the same on every machine
 

@@ -15,6 +15,7 @@
 #include "core/surface/features/creases.h"
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/features/patches.h"
+#include "core/surface/features/small_features.h"
 #include "core/surface/result/edge_flips.h"
 #include "core/surface/result/site_places.h"
 #include "core/surface/result/subresolution_holes.h"
@@ -58,6 +59,7 @@ std::vector<std::array<VertexId, 2>> edges_along_features(
 
 struct SizedSurface {
   SurfaceInput input;
+  SmallFeatures small;
   Sizing sizing;
   std::vector<Metric> shape;  // per vertex of the mesh; empty: cells are round
 };
@@ -67,6 +69,7 @@ class Remesher {
   Remesher(const Mesh& mesh, const SizedSurface& surface, const RemeshOptions& options,
            Runtime& runtime)
       : mesh_(mesh),
+        sized_(surface),
         input_(surface.input),
         sizing_(surface.sizing),
         shape_(surface.shape),
@@ -124,6 +127,8 @@ class Remesher {
     }
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
+    result.small_feature_share = sized_.small.share;
+    result.small_features_limited = sized_.small.is_limited;
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     return result;
@@ -172,6 +177,7 @@ class Remesher {
   }
 
   const Mesh& mesh_;
+  const SizedSurface& sized_;
   const SurfaceInput& input_;
   const Sizing& sizing_;
   std::span<const Metric> shape_;
@@ -214,7 +220,16 @@ class SurfaceSizer {
       release_edges();
       input = make_input(sizing, count_at(sizing.spacing));
     }
-    return {std::move(input), std::move(sizing), std::move(shape_)};
+    SmallFeatures small;
+    if (options_.features.small) {
+      small =
+          find_small_features(input, sizing.spacing * input.frame.scale, growth_at_small_features);
+    }
+    if (!small.sizes.empty()) {
+      input = with_sizes(std::move(input), std::move(small.sizes),
+                         input_options(sizing, count_at(sizing.spacing)), executor_);
+    }
+    return {std::move(input), std::move(small), std::move(sizing), std::move(shape_)};
   }
 
  private:
@@ -227,6 +242,10 @@ class SurfaceSizer {
   }
 
   [[nodiscard]] SurfaceInput make_input(const Sizing& sizing, std::size_t count) const {
+    return make_surface_input(mesh_, input_options(sizing, count), executor_);
+  }
+
+  [[nodiscard]] SurfaceInputOptions input_options(const Sizing& sizing, std::size_t count) const {
     SurfaceInputOptions input;
     input.duplicates = edges_.duplicates;
     input.longest_edge =
@@ -236,7 +255,7 @@ class SurfaceSizer {
     input.vertex_limit = vertex_limit_of_remesh(mesh_, count);
     input.features = features_;
     input.fixed_vertices = options_.features.fixed_vertices;
-    return make_surface_input(mesh_, input, executor_);
+    return input;
   }
 
   const Mesh& mesh_;

@@ -18,6 +18,9 @@ inline constexpr double edge_per_spacing_at_features = 0.42;
 inline constexpr std::size_t vertices_per_site = 10;
 inline constexpr std::size_t most_vertices_per_site = 24;
 
+/// How fast sizes grow from small features: faster than wanted sizes, for there may be many.
+inline constexpr double growth_at_small_features = 1.3;
+
 inline double longest_edge(double area, std::size_t sites) {
   return edge_per_side * std::sqrt(area / static_cast<double>(sites));
 }

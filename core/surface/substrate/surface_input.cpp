@@ -42,12 +42,15 @@ UsableTriangles usable_triangles(const Mesh& mesh, const SurfaceInputOptions& op
 
 class SurfaceInputBuilder {
  public:
-  SurfaceInputBuilder(UsableTriangles usable, const SurfaceInputOptions& options,
-                      Executor& executor)
-      : usable_(std::move(usable)), options_(options), executor_(executor) {}
+  /// Of triangles in the unit frame.
+  SurfaceInputBuilder(UsableTriangles usable, std::span<const TrianglePair> features,
+                      std::span<const VertexId> fixed_vertices, Executor& executor)
+      : usable_(std::move(usable)),
+        features_(features),
+        fixed_vertices_(fixed_vertices),
+        executor_(executor) {}
 
   SurfaceInput run() {
-    result_.frame = frame_of(usable_.mesh, executor_);
     sort_vertices();
     sort_triangles();
     connect(result_.fine, executor_);
@@ -65,9 +68,6 @@ class SurfaceInputBuilder {
     for (const Triangle& t : mesh.triangles) {
       for (const VertexId v : t) is_used[v] = 1;
     }
-    parallel_for(executor_, mesh.vertex_count(), small_items, [&](std::size_t v) {
-      mesh.positions[v] = result_.frame.to_unit(mesh.positions[v]);
-    });
     std::vector<std::uint32_t> order = spatial_order(
         MortonGrid(unit_box()), mesh.vertex_count(),
         // The others may be outside the unit frame.
@@ -86,7 +86,7 @@ class SurfaceInputBuilder {
       if (!sizes.empty()) result_.fine.inverse_sizing[i] = 1 / sizes[order[i]];
       if (!metric.empty()) result_.fine.metric[i] = metric[order[i]];
     });
-    for (const VertexId v : options_.fixed_vertices) {
+    for (const VertexId v : fixed_vertices_) {
       if (place[v] != no_id) result_.fixed_vertices.push_back(place[v]);
     }
     sort_and_deduplicate(result_.fixed_vertices);
@@ -126,7 +126,7 @@ class SurfaceInputBuilder {
 
   // Splitting an edge leaves its halves between pieces of the same two triangles.
   void find_feature_edges() {
-    if (options_.features.empty()) return;
+    if (features_.empty()) return;
     const FineMesh& fine = result_.fine;
     std::vector<std::vector<std::array<VertexId, 2>>> found(executor_.threads());
     parallel_for_ranges(executor_, fine.triangle_count(), small_items,
@@ -154,7 +154,7 @@ class SurfaceInputBuilder {
     return std::any_of(at.begin(), at.end(), [&](TriangleId u) {
       const TrianglePair pair = ascending(result_.origin[t], result_.origin[u]);
       return u != t && has_edge(fine.triangles[u], edge) &&
-             std::binary_search(options_.features.begin(), options_.features.end(), pair);
+             std::binary_search(features_.begin(), features_.end(), pair);
     });
   }
   static bool has_edge(const Triangle& t, const std::array<VertexId, 2>& edge) {
@@ -179,7 +179,8 @@ class SurfaceInputBuilder {
   }
 
   UsableTriangles usable_;
-  const SurfaceInputOptions& options_;
+  std::span<const TrianglePair> features_;
+  std::span<const VertexId> fixed_vertices_;
   Executor& executor_;
   SurfaceInput result_;
 };
@@ -218,9 +219,33 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   }
   split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
                    options.vertex_limit);
-  SurfaceInput input = SurfaceInputBuilder(std::move(usable), options, executor).run();
+  const SurfaceFrame frame = frame_of(usable.mesh, executor);
+  std::vector<Vec3>& positions = usable.mesh.positions;
+  parallel_for(executor, positions.size(), small_items,
+               [&](std::size_t v) { positions[v] = frame.to_unit(positions[v]); });
+  SurfaceInput input =
+      SurfaceInputBuilder(std::move(usable), options.features, options.fixed_vertices, executor)
+          .run();
+  input.frame = frame;
   input.vertices_cut = cut.vertices;
   return input;
+}
+
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes,
+                        const SurfaceInputOptions& options, Executor& executor) {
+  UsableTriangles usable;
+  usable.mesh.positions = std::move(input.fine.positions);
+  usable.mesh.triangles = std::move(input.fine.triangles);
+  usable.origin = std::move(input.origin);
+  usable.sizes = {std::move(sizes), std::move(input.fine.metric)};
+  split_long_edges(usable.mesh, usable.origin, usable.sizes,
+                   options.longest_edge * input.frame.scale, options.vertex_limit);
+  SurfaceInput resized =
+      SurfaceInputBuilder(std::move(usable), options.features, input.fixed_vertices, executor)
+          .run();
+  resized.frame = input.frame;
+  resized.vertices_cut = input.vertices_cut;
+  return resized;
 }
 
 }  // namespace geolloyd

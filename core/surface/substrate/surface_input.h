@@ -58,4 +58,9 @@ std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input);
 SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor = sequential());
 
+/// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are long
+/// for them. `options` are those that it was made with.
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes,
+                        const SurfaceInputOptions& options, Executor& executor = sequential());
+
 }  // namespace geolloyd

@@ -13,6 +13,7 @@ from ._results import Remesh, RemeshProgress
 def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int] = None, *,
            edge_length: Union[float, ArrayLike, None] = None, tolerance: Optional[float] = None,
            field: Union[str, ArrayLike, None] = None, features: Union[str, float] = "auto",
+           small_features: bool = True,
            feature_edges: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None,
            density: Optional[ArrayLike] = None, adapt: float = 0, growth: float = 1.12,
            fixed: Optional[ArrayLike] = None, fit: bool = True,
@@ -30,6 +31,7 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
     field : shape of the triangles: "curvature", or (n, 8) numbers per vertex: two magnitudes, then tangent
         and bitangent. None: equilateral
     features : sharp edges to keep: "auto", "off", or an angle in degrees
+    small_features : shorter edges where holes and walls are smaller than edges; at most a third of the vertices
     feature_edges : (k, 2) ids of vertices: further edges to keep
     labels : (m,) whole numbers: borders between them are kept
     density : (n,) numbers above 0: lengths of edges are proportional to density^(-1/4)
@@ -67,6 +69,7 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
         field=None if field is None or by_curvature else _arrays.numbers("field", field, None, 8),
         by_curvature=by_curvature, creases="angle" if is_angle else features,
         crease_angle=_arrays.number("features", features) if is_angle else 40,
+        small_features=bool(small_features),
         feature_edges=None if feature_edges is None else _arrays.ids("feature_edges", feature_edges, None, 2),
         groups=None if labels is None else _groups(labels),
         fixed=None if fixed is None else _arrays.ids("fixed", fixed, None), fit=bool(fit),

@@ -1,0 +1,81 @@
+#include "core/surface/features/flat_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/mesh/mesh_measure.h"
+#include "core/mesh/segment.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t most_on_a_side = 200;  // triangles: as many say enough
+
+// A triangle on a side: its normal counts with this sign.
+struct SideTriangle {
+  TriangleId triangle;
+  double sign;
+};
+
+}  // namespace
+
+bool FlatSides::has_one(EdgeId e) const {
+  const std::span<const CornerId> corners = angles_.edges().corners(e);
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](CornerId c) { return is_flat(e, triangle_of(c)); });
+}
+
+// Triangles are taken in the order in which they are reached from the edge.
+bool FlatSides::is_flat(EdgeId e, TriangleId side) const {
+  const Mesh& mesh = angles_.mesh();
+  const MeshEdges& edges = angles_.edges();
+  const double triangle_side = std::sqrt(triangle_area(mesh, mesh.triangles[side]));
+  const double reach = std::max(spacing_ / 2, std::min(2 * triangle_side, 8 * spacing_));
+  const double square = reach * reach;
+  std::vector<SideTriangle> reached = {{side, 1}};
+  std::vector<TriangleId> known = {side};  // ascending
+  Vec3 normals = Vec3::Zero();
+  double area = 0;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const auto [t, sign] = reached[i];
+    const double share = std::min(triangle_area(mesh, mesh.triangles[t]), square / 2);
+    normals += (sign * share) * angles_.normal(t);
+    area += share;
+    for_each_corner(mesh, t, [&](CornerId c) {
+      const auto ends = ascending(edge_start(mesh, c), edge_end(mesh, c));
+      const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), ends);
+      const auto next = static_cast<EdgeId>(at - edges.ends.begin());
+      const std::span<const CornerId> corners = edges.corners(next);
+      if (corners.size() != 2 || reached.size() >= most_on_a_side) return;
+      const TriangleId beyond = triangle_of(corners[0]) == t ? triangle_of(corners[1])  //
+                                                             : triangle_of(corners[0]);
+      const auto place = std::lower_bound(known.begin(), known.end(), beyond);
+      if ((place != known.end() && *place == beyond) ||
+          std::binary_search(sharp_.begin(), sharp_.end(), next) || !is_near(e, next, reach)) {
+        return;
+      }
+      known.insert(place, beyond);
+      reached.push_back({beyond, angles_.is_turned_round(next) ? -sign : sign});
+    });
+  }
+  constexpr double least_area = 0.45;
+  constexpr double least_mean = 0.995;
+  return area >= least_area * square && norm(normals) >= least_mean * area;
+}
+
+// By three points of the other edge.
+bool FlatSides::is_near(EdgeId e, EdgeId other, double reach) const {
+  const std::vector<Vec3>& positions = angles_.mesh().positions;
+  const Vec3& a = positions[angles_.edges().ends[e][0]];
+  const Vec3& b = positions[angles_.edges().ends[e][1]];
+  const Vec3& p = positions[angles_.edges().ends[other][0]];
+  const Vec3& q = positions[angles_.edges().ends[other][1]];
+  const auto is_within = [&](const Vec3& x) {
+    const Vec3 away = x - closest_on_segment(x, a, b);
+    return dot(away, away) <= reach * reach;
+  };
+  return is_within(p) || is_within(q) || is_within((p + q) / 2);
+}
+
+}  // namespace geolloyd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+
+#include "core/surface/features/edge_angles.h"
+
+namespace geolloyd {
+
+/// Whether the surface is flat beside a sharp edge, on one of its sides at least: so it is where a
+/// crease was made, by whatever program, and not where a scan has noise or a soft shape a groove.
+/// How far one looks from the edge: half a spacing, or twice the side of the triangle there (the
+/// root of its area), though not more than 8 spacings; and never across another sharp edge. Flat is
+/// where the mean of the normals has a length of .995, which is about 6 degrees from each other,
+/// and where there is enough of a surface to say so. Refers to `angles` and `sharp`.
+class FlatSides {
+ public:
+  /// `sharp` is ascending; `spacing` in mesh units.
+  FlatSides(const EdgeAngles& angles, std::span<const EdgeId> sharp, double spacing)
+      : angles_(angles), sharp_(sharp), spacing_(spacing) {}
+
+  [[nodiscard]] bool has_one(EdgeId e) const;
+
+ private:
+  [[nodiscard]] bool is_flat(EdgeId e, TriangleId side) const;
+  [[nodiscard]] bool is_near(EdgeId e, EdgeId other, double reach) const;
+
+  const EdgeAngles& angles_;
+  std::span<const EdgeId> sharp_;
+  double spacing_;
+};
+
+}  // namespace geolloyd

@@ -1,0 +1,233 @@
+#include "core/surface/features/small_features.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "core/surface/features/edge_network.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr double sites_on_loop = 9;
+constexpr double length_per_width = 2;  // of edges along a wall
+constexpr double most_share = 1.0 / 3;
+
+// A vertex of a curve: which curve, and how far along it.
+struct CurvePlace {
+  std::uint32_t curve = no_id;  // no_id: none, or several: a corner
+  double arc = 0;
+};
+
+struct Curve {
+  std::array<VertexId, 2> ends = {no_id, no_id};  // of a loop: none
+  double length = 0;
+};
+
+class SmallFeatureFinder {
+ public:
+  SmallFeatureFinder(const SurfaceInput& input, double spacing, double growth)
+      : fine_(input.fine),
+        spacing_(spacing),
+        slope_(growth - 1),
+        place_(fine_.vertex_count()),
+        at_loop_(fine_.vertex_count(), spacing),
+        at_wall_(fine_.vertex_count(), spacing) {
+    std::vector<EdgeNetwork::Edge> edges = input.feature_edges;
+    edges.insert(edges.end(), input.boundary_edges.begin(), input.boundary_edges.end());
+    EdgeNetwork network(std::move(edges), input.fixed_vertices);
+    for (const auto& path : network.take_paths()) add_curve(path, false);
+    for (const auto& loop : network.take_loops()) add_curve(loop, true);
+  }
+
+  // Loops first: a wall that is too thin for its triangles stays a wall, but a hole of three
+  // vertices is none.
+  SmallFeatures run() {
+    find_opposite_curves();
+    even_ = sites(own_sizes());
+    Floors floors;
+    const bool has_room = lower(floors, &Floors::loops) && lower(floors, &Floors::walls);
+    SmallFeatures found = at(floors);
+    found.is_limited = !has_room;
+    if (!(found.share > 0)) found.sizes = {};
+    return found;
+  }
+
+ private:
+  // Smallest sizes that are allowed. Spacings.
+  struct Floors {
+    double loops = 1;
+    double walls = 1;
+  };
+
+  // To 1/8 or as far, to 4 %, as small features do not take too much. False where not to 1/8.
+  bool lower(Floors& floors, double Floors::*floor) const {
+    double least = 0.125;
+    floors.*floor = least;
+    if (at(floors).share <= most_share) return true;
+    double most = 1;
+    while (most > 1.04 * least) {
+      const double middle = std::sqrt(least * most);
+      floors.*floor = middle;
+      (at(floors).share <= most_share ? most : least) = middle;
+    }
+    floors.*floor = most;
+    return false;
+  }
+
+  // With more sites in small places all are further apart.
+  [[nodiscard]] SmallFeatures at(const Floors& floors) const {
+    SmallFeatures found;
+    found.sizes = sizes(floors, std::sqrt(sites(sizes(floors, 1)) / even_));
+    found.share = 1 - even_ / sites(found.sizes);
+    return found;
+  }
+  [[nodiscard]] double way(VertexId a, VertexId b) const {
+    return norm(fine_.positions[a] - fine_.positions[b]);
+  }
+
+  void add_curve(const std::vector<VertexId>& vertices, bool is_loop) {
+    const auto id = static_cast<std::uint32_t>(curves_.size());
+    Curve curve;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (i > 0) curve.length += way(vertices[i - 1], vertices[i]);
+      const bool is_end = !is_loop && (i == 0 || i + 1 == vertices.size());
+      if (!is_end) place_[vertices[i]] = {id, curve.length};
+      sources_.push_back(vertices[i]);
+    }
+    if (is_loop) {
+      curve.length += way(vertices.back(), vertices.front());
+      if (curve.length >= shortest_kept_loop * spacing_) {
+        for (const VertexId v : vertices) {
+          at_loop_[v] = std::min(at_loop_[v], curve.length / sites_on_loop);
+        }
+      }
+    } else {
+      curve.ends = {vertices.front(), vertices.back()};
+    }
+    curves_.push_back(curve);
+  }
+
+  // From all curves at once, each vertex is reached from the one nearest along edges. Where two
+  // fronts meet, curves are opposite to each other.
+  void find_opposite_curves() {
+    std::vector<double> distance(fine_.vertex_count(), spacing_);
+    std::vector<VertexId> from(fine_.vertex_count(), no_id);
+    using Entry = std::tuple<double, VertexId>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (const VertexId v : sources_) {
+      distance[v] = 0;
+      from[v] = v;
+      queue.emplace(0, v);
+    }
+    while (!queue.empty()) {
+      const auto [d, v] = queue.top();
+      queue.pop();
+      if (d > distance[v]) continue;
+      for (const VertexId u : fine_.neighbours(v)) {
+        const double further = d + way(v, u);
+        if (!(further < distance[u])) continue;
+        distance[u] = further;
+        from[u] = from[v];
+        queue.emplace(further, u);
+      }
+    }
+    for (VertexId v = 0; v < fine_.vertex_count(); ++v) {
+      for (const VertexId u : fine_.neighbours(v)) {
+        if (u < v || from[u] == no_id || from[v] == no_id) continue;
+        const double between = distance[u] + way(u, v) + distance[v];
+        if (!are_opposite(from[u], from[v], between)) continue;
+        for (const VertexId w : {from[u], from[v]}) {
+          at_wall_[w] = std::min(at_wall_[w], length_per_width * between);
+        }
+      }
+    }
+  }
+
+  // Not where the curves meet, or one goes from one place to the other itself.
+  [[nodiscard]] bool are_opposite(VertexId a, VertexId b, double between) const {
+    const CurvePlace& p = place_[a];
+    const CurvePlace& q = place_[b];
+    if (p.curve == no_id || q.curve == no_id) return false;
+    const Curve& one = curves_[p.curve];
+    if (p.curve != q.curve) {
+      const Curve& other = curves_[q.curve];
+      return std::none_of(one.ends.begin(), one.ends.end(), [&](VertexId end) {
+        return end != no_id && (end == other.ends[0] || end == other.ends[1]);
+      });
+    }
+    constexpr double detour = 3;
+    const double along = std::abs(p.arc - q.arc);
+    const bool is_loop = one.ends[0] == no_id;
+    return (is_loop ? std::min(along, one.length - along) : along) >= detour * between;
+  }
+
+  [[nodiscard]] std::vector<double> own_sizes() const {
+    std::vector<double> own(fine_.vertex_count(), 1);
+    for (VertexId v = 0; v < own.size(); ++v) own[v] = 1 / fine_.inverse_sizing_at(v);
+    return own;
+  }
+
+  // Where sites are `factor` times the spacing apart.
+  [[nodiscard]] std::vector<double> sizes(const Floors& floors, double factor) const {
+    std::vector<double> sizes = own_sizes();
+    using Entry = std::pair<double, VertexId>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (VertexId v = 0; v < sizes.size(); ++v) {
+      if (!(at_loop_[v] < spacing_) && !(at_wall_[v] < spacing_)) continue;
+      const double unit = factor * spacing_;
+      const double wanted = std::min(std::max(at_loop_[v] / unit, floors.loops),
+                                     std::max(at_wall_[v] / unit, floors.walls));
+      if (!(wanted < sizes[v])) continue;
+      sizes[v] = wanted;
+      queue.emplace(wanted, v);
+    }
+    while (!queue.empty()) {
+      const auto [size, v] = queue.top();
+      queue.pop();
+      if (size > sizes[v]) continue;
+      for (const VertexId u : fine_.neighbours(v)) {
+        const double limit = size + slope_ * way(v, u) / (factor * spacing_);
+        if (!(limit < sizes[u])) continue;
+        sizes[u] = limit;
+        queue.emplace(limit, u);
+      }
+    }
+    return sizes;
+  }
+
+  // In proportion.
+  [[nodiscard]] double sites(const std::vector<double>& sizes) const {
+    double sum = 0;
+    for (TriangleId t = 0; t < fine_.triangle_count(); ++t) {
+      const auto& [a, b, c] = fine_.triangles[t];
+      const double inverse = (1 / sizes[a] + 1 / sizes[b] + 1 / sizes[c]) / 3;
+      sum += fine_.area(t) * (inverse * inverse);
+    }
+    return sum;
+  }
+
+  const FineMesh& fine_;
+  double spacing_;
+  double slope_;
+  std::vector<Curve> curves_;
+  std::vector<VertexId> sources_;
+  std::vector<CurvePlace> place_;  // per vertex
+  // Per vertex: length of edges, at most the spacing.
+  std::vector<double> at_loop_;
+  std::vector<double> at_wall_;
+  double even_ = 0;  // sites without small features
+};
+
+}  // namespace
+
+SmallFeatures find_small_features(const SurfaceInput& input, double spacing, double growth) {
+  if (input.feature_edges.empty() && input.boundary_edges.empty()) return {};
+  return SmallFeatureFinder(input, spacing, growth).run();
+}
+
+}  // namespace geolloyd
