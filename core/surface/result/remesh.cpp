@@ -234,6 +234,7 @@ class SurfaceSizer {
     input.sizes = sizing.sizes;
     input.metric = shape_;
     input.vertex_limit = vertex_limit_of_remesh(mesh_, count);
+    input.most_pieces = most_pieces_of_remesh(mesh_, count);
     input.features = features_;
     input.fixed_vertices = options_.features.fixed_vertices;
     return make_surface_input(mesh_, input, executor_);
