@@ -7,6 +7,7 @@
 #include "tools/evaluation/attribute_transfer.h"
 #include "tools/evaluation/tolerance_search.h"
 #include "tools/run/stages.h"
+#include "tools/system/interrupt.h"
 
 namespace geolloyd {
 namespace {
@@ -38,7 +39,9 @@ RemeshedInput remesh_input(const RemeshRequest& request, const std::optional<Pic
   MeshEdges& edges = done.loaded.edges;
   RemeshOptions options = read_options(request, done.loaded, scheduler);
   done.field = options.field;
+  // Before sites move nothing is lost if an interrupt ends the program at once.
   options.progress = [&progress](const RemeshProgress& p) {
+    catch_interrupts();
     progress.show(p);
     return true;
   };
