@@ -137,6 +137,58 @@ inline Mesh plane_with_subresolution_holes(std::uint32_t count) {
   return mesh;
 }
 
+/// A plane of `cells` x `cells`, cut open along `length` edges in its middle. The two sides of the
+/// cut are in one place.
+inline Mesh plane_with_slit(std::uint32_t cells, std::uint32_t length) {
+  Mesh mesh = grid_surface(cells, cells, false, false, false,
+                           [&](double y, double x) { return Vec3(cells * x, cells * y, 0); });
+  const std::uint32_t first = cells / 2 * (cells + 1) + cells / 2 - length / 2;
+  const auto copies = static_cast<VertexId>(mesh.vertex_count());
+  for (std::uint32_t i = 1; i < length; ++i) {
+    const Vec3 position = mesh.positions[first + i];
+    mesh.positions.push_back(position);
+  }
+  for (std::size_t t = 2UL * cells * (cells / 2); t < mesh.triangle_count(); ++t) {  // above
+    for (VertexId& v : mesh.triangles[t]) {
+      if (v > first && v < first + length) v = copies + v - first - 1;
+    }
+  }
+  return mesh;
+}
+
+/// A plane with fins on edges, which are no manifold edges then, and holes of a triangle, anywhere.
+inline Mesh plane_with_fins_and_holes(std::uint32_t cells, std::uint32_t fins, std::uint32_t holes,
+                                      std::uint64_t random_seed) {
+  const auto next = [](std::uint64_t& state) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return state >> 33;
+  };
+  Mesh mesh = grid_surface(cells, cells, false, false, false,
+                           [&](double y, double x) { return Vec3(cells * x, cells * y, 0); });
+  for (std::size_t t = 0; t < mesh.triangle_count(); t += 2) {
+    const VertexId a = mesh.triangles[t][0];
+    const VertexId up = a + cells + 1;
+    mesh.triangles[t] = {a, a + 1, up + 1};
+    mesh.triangles[t + 1] = {a, up + 1, up};
+  }
+  const std::uint64_t flat = mesh.triangle_count();
+  for (std::uint64_t state = random_seed; fins > 0; --fins) {
+    const Triangle t = mesh.triangles[next(state) % flat];
+    const std::uint64_t k = next(state) % 3;
+    const Vec3 middle = (mesh.positions[t[k]] + mesh.positions[t[(k + 1) % 3]]) / 2;
+    mesh.positions.emplace_back(middle + Vec3(0, 0, 0.5));
+    mesh.triangles.push_back(
+        {t[k], t[(k + 1) % 3], static_cast<VertexId>(mesh.vertex_count() - 1)});
+  }
+  std::vector<std::uint8_t> is_hole(mesh.triangle_count(), 0);
+  for (std::uint64_t state = random_seed + 999; holes > 0; --holes) is_hole[next(state) % flat] = 1;
+  Mesh kept{mesh.positions, {}};
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (is_hole[t] == 0) kept.triangles.push_back(mesh.triangles[t]);
+  }
+  return kept;
+}
+
 /// Three triangles that share an edge.
 inline Mesh book() {
   return {{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}},

@@ -37,7 +37,6 @@ void run_remesh(RemeshArguments& arguments, const Console& console) {
   Scheduler scheduler = make_scheduler(arguments.threads);
   const auto check_memory = [&](std::uint64_t bytes) {
     progress.announce_memory(request.mesh.string(), bytes);
-    catch_interrupts();
   };
   const auto picture =
       names.picture.empty() ? std::nullopt : std::optional<PictureLook>(arguments.picture);

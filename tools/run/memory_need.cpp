@@ -89,7 +89,7 @@ std::uint64_t memory_to_relax(const Mesh& mesh, const MeshEdges& edges, GraphKin
 
 std::uint64_t memory_to_remesh(const Mesh& mesh, const MeshEdges& edges, double area,
                                const RemeshOptions& options, WorkSize size, Executor& executor) {
-  constexpr double most = 1e12;
+  const auto most = static_cast<double>(vertex_limit_of_remesh(mesh, size.sites));
   size.threads = executor.threads();
   size.has_field = !options.field.empty();
   size.fine_vertices =

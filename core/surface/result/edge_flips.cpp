@@ -8,6 +8,7 @@
 
 #include "core/base/types.h"
 #include "core/base/vec3.h"
+#include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_quality.h"
 
 namespace geolloyd {
@@ -103,9 +104,19 @@ class EdgeFlipper {
     if (std::binary_search(kept_.begin(), kept_.end(), ascending(b, c))) return false;
     const double now = std::max(largest_cosine(a, b, c), largest_cosine(d, c, b));
     const double flipped = std::max(largest_cosine(a, b, d), largest_cosine(a, d, c));
-    return flipped < now && is_flat(normal(a, b, c), normal(d, c, b)) &&
-           is_flat(normal(a, b, d), normal(a, d, c)) && is_flat(normal(a, b, c), normal(a, b, d)) &&
-           !is_edge(side.triangle, side.corner, d);
+    return flipped < now && are_flat_flipped(a, b, c, d) && !is_edge(side.triangle, side.corner, d);
+  }
+
+  // A triangle without area has no normal but that of the other one.
+  [[nodiscard]] bool are_flat_flipped(VertexId a, VertexId b, VertexId c, VertexId d) const {
+    const Vec3 here = has_area(a, b, c) ? normal(a, b, c) : normal(d, c, b);
+    const Vec3 there = has_area(d, c, b) ? normal(d, c, b) : here;
+    return is_flat(here, there) && is_flat(normal(a, b, d), normal(a, d, c)) &&
+           is_flat(here, normal(a, b, d));
+  }
+  [[nodiscard]] bool has_area(VertexId a, VertexId b, VertexId c) const {
+    constexpr double least = 1e-6;  // height over the longest edge
+    return flatness(at(a), at(b), at(c)) > least;
   }
 
   // Of the triangle's angles: that of the smallest.

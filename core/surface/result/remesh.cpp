@@ -221,7 +221,7 @@ class SurfaceSizer {
       input = make_input(sizing, count_at(sizing.spacing));
     }
     SmallFeatures small;
-    if (options_.features.small) {
+    if (options_.features.small && !input.has_flips) {
       small =
           find_small_features(input, sizing.spacing * input.frame.scale, growth_at_small_features);
     }
@@ -253,6 +253,7 @@ class SurfaceSizer {
     input.sizes = sizing.sizes;
     input.metric = shape_;
     input.vertex_limit = vertex_limit_of_remesh(mesh_, count);
+    input.most_pieces = most_pieces_of_remesh(mesh_, count);
     input.features = features_;
     input.fixed_vertices = options_.features.fixed_vertices;
     return input;

@@ -1,9 +1,14 @@
 #include "core/surface/result/site_places.h"
 
+#include <array>
 #include <limits>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "core/base/bucketing.h"
 #include "core/mesh/closest_on_triangle.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace geolloyd {
 namespace {
@@ -16,9 +21,64 @@ std::array<double, 3> closest_barycentric(const Vec3& p, const Vec3& a, const Ve
   return {u > 0 ? u : 0, v, w};
 }
 
+// Where edges of the surface were flipped, a triangle of the mesh is near what it is the origin of.
+// From there the search goes from triangle to triangle, always on from the closest one met.
+class NearbySearch {
+ public:
+  explicit NearbySearch(const Mesh& mesh)
+      : mesh_(mesh), across_(mesh.triangle_count(), {no_id, no_id, no_id}) {
+    const MeshEdges edges = find_edges(mesh);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const std::span<const CornerId> corners = edges.corners(e);
+      if (corners.size() != 2) continue;
+      across_[corners[0] / 3][corners[0] % 3] = triangle_of(corners[1]);
+      across_[corners[1] / 3][corners[1] % 3] = triangle_of(corners[0]);
+    }
+  }
+
+  /// `starts`: some.
+  [[nodiscard]] TriangleId closest(const std::set<TriangleId>& starts, const Vec3& p) const {
+    constexpr int most_in_vain = 32;
+    constexpr int most = 1 << 14;
+    std::set<std::pair<double, TriangleId>> open;
+    for (const TriangleId t : starts) open.emplace(square_distance(t, p), t);
+    std::set<TriangleId> met = starts;
+    auto best = *open.begin();
+    for (int step = 0, in_vain = 0; !open.empty() && step < most && in_vain < most_in_vain;
+         ++step, ++in_vain) {
+      const auto nearest = *open.begin();
+      open.erase(open.begin());
+      if (nearest < best) {
+        best = nearest;
+        in_vain = 0;
+      }
+      for (const TriangleId t : across_[nearest.second]) {
+        if (t != no_id && met.insert(t).second) open.emplace(square_distance(t, p), t);
+      }
+    }
+    return best.second;
+  }
+
+ private:
+  [[nodiscard]] double square_distance(TriangleId t, const Vec3& p) const {
+    const auto& [ia, ib, ic] = mesh_.triangles[t];
+    const Vec3& a = mesh_.positions[ia];
+    const Vec3& b = mesh_.positions[ib];
+    const Vec3& c = mesh_.positions[ic];
+    const auto [x, y, z] = closest_barycentric(p, a, b, c);
+    const Vec3 away = x * a + y * b + z * c - p;
+    return dot(away, away);
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::array<TriangleId, 3>> across_;
+};
+
 class SitePlacer {
  public:
-  SitePlacer(const Mesh& mesh, const SurfaceInput& input) : mesh_(mesh), input_(input) {}
+  SitePlacer(const Mesh& mesh, const SurfaceInput& input) : mesh_(mesh), input_(input) {
+    if (input.has_flips) nearby_.emplace(mesh);
+  }
 
   [[nodiscard]] SurfacePoint find(const Vec3& site, std::span<const VertexId> cell) const {
     VertexId nearest = no_id;
@@ -40,10 +100,22 @@ class SitePlacer {
     Closest best{std::numeric_limits<double>::infinity(), no_id, site};
     offer_triangles_at(centre, site, best);
     for (const VertexId v : input_.fine.neighbours(centre)) offer_triangles_at(v, site, best);
-    const TriangleId origin = input_.origin[best.triangle];
+    const Vec3 point = input_.frame.to_mesh(best.point);
+    TriangleId origin = input_.origin[best.triangle];
+    if (nearby_) origin = nearby_->closest(origins_about(centre), point);
     const auto& [a, b, c] = mesh_.triangles[origin];
-    return {origin, closest_barycentric(input_.frame.to_mesh(best.point), mesh_.positions[a],
-                                        mesh_.positions[b], mesh_.positions[c])};
+    return {origin,
+            closest_barycentric(point, mesh_.positions[a], mesh_.positions[b], mesh_.positions[c])};
+  }
+
+  [[nodiscard]] std::set<TriangleId> origins_about(VertexId centre) const {
+    std::set<TriangleId> origins;
+    const auto add_at = [&](VertexId v) {
+      for (const TriangleId t : input_.fine.triangles_at(v)) origins.insert(input_.origin[t]);
+    };
+    add_at(centre);
+    for (const VertexId v : input_.fine.neighbours(centre)) add_at(v);
+    return origins;
   }
 
   struct Closest {
@@ -70,6 +142,7 @@ class SitePlacer {
 
   const Mesh& mesh_;
   const SurfaceInput& input_;
+  std::optional<NearbySearch> nearby_;
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/sorting.h"
 #include "core/dual/seed_insertion.h"
+#include "core/mesh/mesh_measure.h"
 #include "core/surface/cells/cell_labels.h"
 #include "core/surface/result/labelled_surface.h"
 #include "core/surface/sites/site_balance.h"
@@ -13,6 +15,8 @@ namespace {
 
 constexpr std::size_t first_iterations = 10;
 constexpr std::size_t more_iterations = 5;
+constexpr std::size_t most_rounds = 200;  // of insertions; some dozens are enough for needles
+constexpr std::size_t rounds_after_interrupt = 4;
 
 enum class Inserted { free, fixed };
 
@@ -37,12 +41,10 @@ class SurfaceRepair {
       relaxer_.relax(level_, result_.state, more_iterations);
       dualise();
     }
-    while (has_violations() && insert(Inserted::fixed)) {
-      relaxer_.relax(level_, result_.state, 0);
-      dualise();
-    }
+    insert_until_none();
     if (!has_violations() && result_.state.sites.size() > wanted_) try_without_surplus();
     if (!has_violations()) try_without_holding();
+    give_triangles_area();
     return std::move(result_);
   }
 
@@ -96,6 +98,140 @@ class SurfaceRepair {
   }
 
   [[nodiscard]] bool has_violations() const { return any_removable(result_.dual.violations); }
+
+  // A site that is inserted at another's place loses its cell again. Where no round brings any
+  // more, there are other places to try.
+  void insert_until_none() {
+    constexpr int most_in_vain = 3;
+    for (int in_vain = 0; has_violations() && in_vain < most_in_vain && goes_on();) {
+      const std::size_t before = result_.state.sites.size();
+      if (!(in_vain == 0 && insert(Inserted::fixed)) && !insert_in_regions()) return;
+      relaxer_.relax(level_, result_.state, 0);
+      dualise();
+      in_vain = result_.state.sites.size() > before ? 0 : in_vain + 1;
+    }
+  }
+
+  // An interrupt leaves some rounds, which are enough where there are few violations.
+  bool goes_on() {
+    if (relaxer_.ask(result_.state.sites)) return ++rounds_ <= most_rounds;
+    return ++rounds_after_interrupt_ <= rounds_after_interrupt && ++rounds_ <= most_rounds;
+  }
+
+  // Where all places are on curves, and none can have a site: at the vertex of each region that is
+  // farthest from its site, beside curves if there is one. False where there is none.
+  bool insert_in_regions() {
+    const SurfaceSites& sites = result_.state.sites;
+    const std::vector<FarthestVertex> beside = farthest_free_vertices();
+    const std::vector<std::uint8_t> none(level_.is_on_curve.size(), 0);
+    const std::vector<FarthestVertex> anywhere =
+        farthest_vertices(*level_.mesh, sites.positions, none, result_.state.labels);
+    std::vector<RegionId> regions = regions_of_violations();
+    sort_and_deduplicate(regions);
+    std::vector<VertexId> places;
+    for (const RegionId r : regions) {
+      const FarthestVertex& place = beside[r].square_distance > 0 ? beside[r] : anywhere[r];
+      if (place.square_distance > 0) places.push_back(place.vertex);
+    }
+    const std::size_t before = sites.size();
+    for (const VertexId v : places) insert_at(v);
+    return sites.size() > before;
+  }
+  [[nodiscard]] std::vector<FarthestVertex> farthest_free_vertices() const {
+    return farthest_vertices(*level_.mesh, result_.state.sites.positions, level_.is_on_curve,
+                             result_.state.labels);
+  }
+  // A site that stays there.
+  void insert_at(VertexId v) {
+    if (level_.is_on_curve[v] != 0) {
+      insert_on_curve(v);
+    } else {
+      insert_fixed(v);
+    }
+  }
+  void insert_fixed(VertexId v) {
+    SurfaceSites& sites = result_.state.sites;
+    result_.state.labels[v] = static_cast<RegionId>(sites.size());
+    sites.add(input_.fine.positions[v], level_.patch[v]);
+    sites.is_fixed.back() = 1;
+  }
+
+  // Three sites on a straight curve get a further one beside it, two at one place on either side of
+  // a slit one on the curve between them. As it was, if violations come back.
+  void give_triangles_area() {
+    constexpr int rounds = 4;
+    for (int round = 0; round < rounds && !has_violations(); ++round) {
+      const DualisedSites before = result_;
+      if (!insert_at_triangles_without_area()) return;
+      relaxer_.relax(level_, result_.state, 0);
+      dualise();
+      insert_until_none();
+      if (has_violations()) result_ = before;
+    }
+  }
+
+  bool insert_at_triangles_without_area() {
+    const std::size_t count = result_.state.sites.size();
+    const std::vector<FarthestVertex> farthest = farthest_free_vertices();
+    std::vector<std::uint8_t> is_taken(count, 0);
+    std::vector<VertexId> places;
+    for (const Triangle& t : result_.dual.triangles) {
+      if (has_area(t) || is_taken[t[0]] + is_taken[t[1]] + is_taken[t[2]] > 0) continue;
+      VertexId place = place_between_twins(t);
+      if (place == no_id) place = farthest_place(t, farthest);
+      if (place == no_id) continue;
+      places.push_back(place);
+      for (const RegionId r : t) is_taken[r] = 1;
+    }
+    for (const VertexId v : places) insert_at(v);
+    return result_.state.sites.size() > count;
+  }
+
+  static VertexId farthest_place(const Triangle& t, const std::vector<FarthestVertex>& farthest) {
+    const auto best = *std::max_element(t.begin(), t.end(), [&](RegionId a, RegionId b) {
+      return farthest[a].square_distance < farthest[b].square_distance;
+    });
+    return farthest[best].square_distance > 0 ? farthest[best].vertex : no_id;
+  }
+
+  // Of two sites of a triangle that are at one place on a curve: the vertex of the curve where
+  // their cells meet, of several the one that is farthest from its site.
+  [[nodiscard]] VertexId place_between_twins(const Triangle& t) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RegionId a = t[c];
+      const RegionId b = t[(c + 1) % 3];
+      if (are_twins(a, b, t[(c + 2) % 3])) return meeting_on_curve(a, b);
+    }
+    return no_id;
+  }
+  [[nodiscard]] bool are_twins(RegionId a, RegionId b, RegionId other) const {
+    constexpr double near = 1e-6;
+    const std::vector<Vec3>& p = result_.state.sites.positions;
+    return norm(p[a] - p[b]) <= near * norm(p[a] - p[other]);
+  }
+  [[nodiscard]] VertexId meeting_on_curve(RegionId a, RegionId b) const {
+    const std::vector<RegionId>& label = result_.state.labels;
+    VertexId best = no_id;
+    double farthest = 0;
+    for (const VertexId v : curves_.vertices) {
+      if (label[v] != a && label[v] != b) continue;
+      const RegionId other = label[v] == a ? b : a;
+      const auto around = input_.fine.neighbours(v);
+      const bool meets = std::any_of(around.begin(), around.end(), [&](VertexId u) {
+        return label[u] == other && level_.is_on_curve[u] != 0;
+      });
+      const Vec3 away = input_.fine.positions[v] - result_.state.sites.positions[label[v]];
+      if (!meets || !(dot(away, away) > farthest)) continue;
+      farthest = dot(away, away);
+      best = v;
+    }
+    return best;
+  }
+  [[nodiscard]] bool has_area(const Triangle& t) const {
+    constexpr double least = 1e-6;  // height over the longest edge
+    const std::vector<Vec3>& p = result_.state.sites.positions;
+    return flatness(p[t[0]], p[t[1]], p[t[2]]) > least;
+  }
 
   // False where there is no place for any.
   bool insert(Inserted how) {
@@ -233,6 +369,8 @@ class SurfaceRepair {
   Executor& executor_;
   DualisedSites result_;
   RegionSurface surface_;
+  std::size_t rounds_ = 0;
+  std::size_t rounds_after_interrupt_ = 0;
 };
 
 }  // namespace

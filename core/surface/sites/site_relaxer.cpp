@@ -63,13 +63,23 @@ bool SiteRelaxer::record(const LevelMesh& level, std::size_t iteration, double e
   const double square = unit * unit;
   steps_.push_back(
       {sites.size(), level.mesh->vertex_count(), energy * square * square, watch_.seconds()});
-  if (options_.progress) {
-    const double area = input_.fine.whole_sized_area;
-    const double ratio = energy / hexagonal_energy(area, area, sites.size());
-    const auto place = [&](std::size_t site) { return input_.frame.to_mesh(sites[site]); };
-    is_interrupted_ = !options_.progress({sites.size(), wanted_sites_, iteration, ratio, place});
-  }
+  const double area = input_.fine.whole_sized_area;
+  iteration_ = iteration;
+  energy_ratio_ = energy / hexagonal_energy(area, area, sites.size());
+  tell_progress(sites);
   return !is_interrupted_;
+}
+
+bool SiteRelaxer::ask(const SurfaceSites& sites) {
+  if (!is_interrupted_) tell_progress(sites.positions);
+  return !is_interrupted_;
+}
+
+void SiteRelaxer::tell_progress(std::span<const Vec3> sites) {
+  if (!options_.progress) return;
+  const auto place = [&](std::size_t site) { return input_.frame.to_mesh(sites[site]); };
+  is_interrupted_ =
+      !options_.progress({sites.size(), wanted_sites_, iteration_, energy_ratio_, place});
 }
 
 void SiteRelaxer::add_to_fingerprint(const LabelledSites& state) {

@@ -33,6 +33,8 @@ class SiteRelaxer {
   void sweep(const LevelMesh& level, LabelledSites& state);
   /// Moves free sites downhill; after an interrupt, only sweeps. Returns the energy.
   double relax(const LevelMesh& level, LabelledSites& state, std::size_t iterations);
+  /// Between moves: whether to go on. Progress is told where sites are, and the rest as before.
+  bool ask(const SurfaceSites& sites);
   /// Gives the engine's memory back, until something is relaxed again.
   void release_engine() {
     engine_.reset();
@@ -49,6 +51,7 @@ class SiteRelaxer {
   SurfaceEngine& engine_for(const LevelMesh& level);
   bool record(const LevelMesh& level, std::size_t iteration, double energy,
               std::span<const Vec3> sites);
+  void tell_progress(std::span<const Vec3> sites);
   void add_to_fingerprint(const LabelledSites& state);
 
   const SurfaceInput& input_;
@@ -61,6 +64,8 @@ class SiteRelaxer {
   std::uint64_t fingerprint_ = 0;
   bool is_interrupted_ = false;
   std::size_t wanted_sites_ = 0;
+  std::size_t iteration_ = 0;  // the latest
+  double energy_ratio_ = 0;
 };
 
 }  // namespace geolloyd

@@ -34,9 +34,20 @@ inline std::size_t vertex_limit(const Mesh& mesh, std::size_t sites) {
   return 20 * sites + 4 * mesh.vertex_count();
 }
 
-/// For a remesh, where a small mesh of needles may take as many as do no harm.
+/// In how many pieces long edges of a remesh's surface are to be cut (split_needles.h). Edges of
+/// triangles of an ordinary shape have far fewer than twenty for a site, and four for a vertex are
+/// as many as are there anyway. So the work is in proportion to what was given and what was asked
+/// for.
+inline double most_pieces_of_remesh(const Mesh& mesh, std::size_t sites) {
+  return static_cast<double>(vertex_limit(mesh, sites));
+}
+
+/// For a remesh. Each piece of an edge has some further vertices beside it, and sites have their
+/// own (most_vertices_per_site): this is more than any surface has but those whose edges are many,
+/// long and no face's, as where each needle is a part of its own. From there on quality suffers,
+/// not time.
 inline std::size_t vertex_limit_of_remesh(const Mesh& mesh, std::size_t sites) {
-  return 1'000'000 + vertex_limit(mesh, sites);
+  return 100'000 + 64 * sites + 8 * mesh.vertex_count();
 }
 
 }  // namespace geolloyd

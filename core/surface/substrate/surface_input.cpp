@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/spatial_order.h"
 #include "core/surface/substrate/split_edges.h"
+#include "core/surface/substrate/split_needles.h"
 
 namespace geolloyd {
 namespace {
@@ -18,6 +19,8 @@ struct UsableTriangles {
   Mesh mesh;
   std::vector<TriangleId> origin;
   EdgeSizes sizes;
+  bool has_flips = false;
+  std::vector<std::array<VertexId, 2>> feature_edges;  // where it has; else origins tell
 };
 
 UsableTriangles usable_triangles(const Mesh& mesh, const SurfaceInputOptions& options) {
@@ -38,6 +41,19 @@ UsableTriangles usable_triangles(const Mesh& mesh, const SurfaceInputOptions& op
     }
   }
   return usable;
+}
+
+void split(UsableTriangles& usable, const SurfaceInputOptions& options, Executor& executor) {
+  auto& [mesh, origin, sizes, has_flips, feature_edges] = usable;
+  const double longest = options.longest_edge;
+  has_flips = options.most_pieces > 0 &&
+              pieces_of_long_edges(mesh, sizes, longest, executor) > options.most_pieces;
+  if (has_flips) {
+    feature_edges =
+        split_needles(mesh, origin, sizes, longest, options.vertex_limit, options.features);
+  } else {
+    split_long_edges(mesh, origin, sizes, longest, options.vertex_limit);
+  }
 }
 
 class SurfaceInputBuilder {
@@ -93,6 +109,11 @@ class SurfaceInputBuilder {
     parallel_for(executor_, mesh.triangle_count(), small_items, [&](std::size_t t) {
       for (VertexId& v : mesh.triangles[t]) v = place[v];
     });
+    result_.has_flips = usable_.has_flips;
+    for (const auto& [a, b] : usable_.feature_edges) {
+      result_.feature_edges.push_back(ascending(place[a], place[b]));
+    }
+    sort_and_deduplicate(result_.feature_edges);
   }
 
   void sort_triangles() {
@@ -126,7 +147,7 @@ class SurfaceInputBuilder {
 
   // Splitting an edge leaves its halves between pieces of the same two triangles.
   void find_feature_edges() {
-    if (features_.empty()) return;
+    if (features_.empty() || result_.has_flips) return;
     const FineMesh& fine = result_.fine;
     std::vector<std::vector<std::array<VertexId, 2>>> found(executor_.threads());
     parallel_for_ranges(executor_, fine.triangle_count(), small_items,
@@ -217,8 +238,7 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
     if (!sizes.empty()) sizes.push_back(double{sizes[v]});
     if (!metric.empty()) metric.emplace_back(Metric{metric[v]});
   }
-  split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
-                   options.vertex_limit);
+  split(usable, options, executor);
   const SurfaceFrame frame = frame_of(usable.mesh, executor);
   std::vector<Vec3>& positions = usable.mesh.positions;
   parallel_for(executor, positions.size(), small_items,

@@ -31,7 +31,8 @@ SurfaceFrame frame_of(const Mesh& mesh, Executor& executor = sequential());
 struct SurfaceInput {
   SurfaceFrame frame;
   FineMesh fine;
-  std::vector<TriangleId> origin;                       ///< per triangle of `fine`: the mesh's
+  std::vector<TriangleId> origin;  ///< per triangle of `fine`: the mesh's, in which it lies
+  bool has_flips = false;  ///< edges were flipped: `origin` is a triangle of the mesh near by
   std::vector<std::array<VertexId, 2>> boundary_edges;  ///< of `fine`, with one triangle; ascending
   std::vector<std::array<VertexId, 2>> feature_edges;   ///< of `fine`, with two; ascending
   std::vector<VertexId> fixed_vertices;                 ///< of `fine`; ascending, each once
@@ -48,6 +49,8 @@ struct SurfaceInputOptions {
   std::span<const double> sizes;
   std::span<const Metric> metric;  ///< per vertex of the mesh, of FineMesh; empty: none
   std::size_t vertex_limit = 0;    ///< no edge is split from there on
+  double most_pieces = 0;  ///< of long edges: where there would be more, needles are split in a way
+                           ///< that needs fewer (split_needles.h); 0: in no case
   std::span<const TrianglePair> features;
   std::span<const VertexId> fixed_vertices;  ///< of the mesh; those of no triangle are passed over
 };
@@ -59,7 +62,8 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
                                 Executor& executor = sequential());
 
 /// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are long
-/// for them. `options` are those that it was made with.
+/// for them. `options` are those that it was made with. Not of one with flips, whose features are
+/// no edges of the mesh.
 SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes,
                         const SurfaceInputOptions& options, Executor& executor = sequential());
 
