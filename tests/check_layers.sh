@@ -42,7 +42,7 @@ tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
 tools/files
-tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
+tools/cli: choice_option cli_fwd folder_option help_pages memory_option number_option reading_options relax_arguments remesh_arguments repair_arguments suggestion summary_options
 tools/run: memory_need checkpoint dual frames input quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
 tools/view: assets http_server layers page page_contents saving session

@@ -10,6 +10,8 @@
 #include "core/base/bounding_box.h"
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/connectivity.h"
+#include "core/mesh/places.h"
+#include "core/mesh/stitching.h"
 #include "core/repair/hole_triangulation.h"
 
 namespace geolloyd {

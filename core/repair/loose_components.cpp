@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "core/base/bucketing.h"
+#include "core/mesh/places.h"
+#include "core/mesh/stitching.h"
 
 namespace geolloyd {
 namespace {

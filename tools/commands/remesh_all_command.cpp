@@ -22,6 +22,7 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -307,6 +308,7 @@ void add_remesh_all_command(CLI::App& program, Console& console) {
   add_feature_options(*command, a->each.request);
   add_no_fit_option(*command, a->each.request);
   add_drop_option(*command, a->each.request.carries_properties);
+  add_weld_option(*command, a->each.request.reading);
   add_engine_option(*command, a->each.engine);
   add_thread_options(*command, a->each.threads);
   command->footer(

@@ -8,7 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -109,7 +109,7 @@ void add_remesh_command(CLI::App& program, Console& console) {
   add_drop_option(*command, request.carries_properties);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, request.format);
+  add_reading_options(*command, request.reading);
   add_picture_options(*command, a->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best remesh so far. For the thesis's tessellation, "

@@ -332,6 +332,7 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
           {"fixed", request.fixed_file.string()},
           {"fit", options.fit},
           {"drop", !request.carries_properties},
+          {"weld", request.reading.weld},
           {"engine", name_of(engine_names, workers.engine)},
           {"threads", workers.threads},
           {"backend", backend_part(workers.engine, workers.backend)}};
