@@ -20,6 +20,7 @@ struct RemeshArguments {
   ThreadArguments threads;
   PictureLook picture;
   RemeshFiles files;
+  bool is_strict = false;  ///< warnings are told by the exit status, too
 
   /// The files that are read, some of them empty: no result may replace one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const {

@@ -22,6 +22,7 @@
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/mesh_files.h"
+#include "tools/words/warnings_text.h"
 
 namespace geolloyd {
 namespace {
@@ -68,7 +69,9 @@ void run_remesh(RemeshArguments& arguments, const Console& console) {
   progress.clear();
   if (console.wants_json()) console.print_json(remesh_report(request, done));
   fmt::print("{}{}", describe(names, done), page);
+  tell_warnings(lines_of_warnings(remesh.warnings), arguments.is_strict, console);
   if (remesh.interrupted) throw InterruptedExit{};
+  if (arguments.is_strict && !remesh.warnings.empty()) throw WarnedExit{};
 }
 
 }  // namespace
@@ -116,6 +119,7 @@ void add_remesh_command(CLI::App& program, Console& console) {
       "with\n"
       "regions, seeds on nodes and metrics, use relax.");
   add_json_option(*command, console);
+  add_strict_option(*command, a->is_strict);
   command->callback([a, &console] { run_remesh(*a, console); });
 }
 

@@ -118,15 +118,26 @@ class Remesher {
     measure_energy(result);
     find_edge_lengths(result);
     if (options_.fit && result.is_manifold()) {
-      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_curves,
-                                              shape, result.mesh, executor_)
-                                   .moved;
+      fit(shape, result);
     }
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
+    result.was_cut_short = input_.was_cut_short;
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     return result;
+  }
+
+  void fit(std::span<const Metric> shape, Remesh& result) const {
+    const FitResult fit =
+        fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
+                       result.mesh, executor_);
+    const auto distance = [&](const FitError& error) {
+      return std::sqrt(error.sum_of_squares / input_.fine.whole_area) / input_.frame.scale;
+    };
+    result.vertices_fitted = fit.moved;
+    result.distance_before_fit = distance(fit.before);
+    result.distance_after_fit = distance(fit.moved > 0 ? fit.after : fit.before);
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {

@@ -218,8 +218,11 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   }
   split_long_edges(usable.mesh, usable.origin, usable.sizes, options.longest_edge,
                    options.vertex_limit);
+  const bool was_cut_short =
+      options.longest_edge > 0 && usable.mesh.vertex_count() >= options.vertex_limit;
   SurfaceInput input = SurfaceInputBuilder(std::move(usable), options, executor).run();
   input.vertices_cut = cut.vertices;
+  input.was_cut_short = was_cut_short;
   return input;
 }
 

@@ -38,6 +38,7 @@ struct SurfaceInput {
   std::vector<std::uint32_t> part;  ///< per vertex of `fine`: its connected part, by first vertex
   std::size_t parts = 0;
   std::size_t vertices_cut = 0;  ///< of the mesh: became several
+  bool was_cut_short = false;    ///< edges are left that are long: there were vertices enough
 };
 
 struct SurfaceInputOptions {

@@ -42,7 +42,9 @@ def write(path: Union[str, "os.PathLike[str]"], vertices: Any, faces: Optional[A
     of_faces.update(face_values or {})
     for name, value in values.items():
         (of_vertices if np.shape(value)[:1] == (len(vertices),) else of_faces)[name] = value
-    corner_values = None if own is None or own.corner_values is None else np.ascontiguousarray(own.corner_values, np.int64)
+    corner_values = own.corner_values if own else None
+    if corner_values is not None:
+        corner_values = np.ascontiguousarray(corner_values, np.int64)
     _core.write(os.fspath(path), vertices, faces, _columns(of_vertices, len(vertices)), _columns(of_faces, len(faces)),
                 corner_values)
 

@@ -44,6 +44,11 @@ class Remesh(Mesh):
     report: Dict[str, Any] = field(default_factory=dict)
 
     @property
+    def warnings(self) -> List[str]:
+        """What is bad about it, a line each; empty where nothing is. Their kinds are in the report."""
+        return [warning["text"] for warning in self.report.get("warnings", [])]
+
+    @property
     def fingerprint(self) -> str:
         """A digest of the whole course, as the program's report has it. The same on every machine."""
         return self.report["fingerprint"]
