@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/loops.h"
 #include "core/base/packing.h"
 #include "core/mesh/mesh_measure.h"
@@ -75,18 +74,23 @@ bool is_closed_and_oriented(const Mesh& mesh, const MeshEdges& edges, Executor& 
   return open == 0;
 }
 
-Vec3 normal_of(const Mesh& mesh, CornerId corner) {
-  const auto& [a, b, c] = mesh.triangles[triangle_of(corner)];
-  const std::vector<Vec3>& p = mesh.positions;
-  return normalized(cross(p[b] - p[a], p[c] - p[a]));
+std::vector<Vec3> normals_of(const Mesh& mesh, Executor& executor) {
+  std::vector<Vec3> normals(mesh.triangle_count());
+  parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::vector<Vec3>& p = mesh.positions;
+    normals[t] = normalized(cross(p[b] - p[a], p[c] - p[a]));
+  });
+  return normals;
 }
 
 // By how much the surface turns at an edge: the cosine between the normals of its two triangles;
 // nothing where there are others, or one has no area.
-std::optional<double> turn_at(const Mesh& mesh, std::span<const CornerId> corners) {
+std::optional<double> turn_at(const Mesh& mesh, std::span<const CornerId> corners,
+                              const std::vector<Vec3>& normals) {
   if (corners.size() != 2) return std::nullopt;
-  const Vec3 first = normal_of(mesh, corners[0]);
-  const Vec3 second = normal_of(mesh, corners[1]);
+  const Vec3& first = normals[triangle_of(corners[0])];
+  const Vec3& second = normals[triangle_of(corners[1])];
   if (!(dot(first, first) > 0.5) || !(dot(second, second) > 0.5)) return std::nullopt;
   const bool is_oriented = edge_start(mesh, corners[0]) != edge_start(mesh, corners[1]);
   return is_oriented ? dot(first, second) : -dot(first, second);
@@ -97,10 +101,11 @@ std::optional<double> turn_at(const Mesh& mesh, std::span<const CornerId> corner
 double length_of_sharp_edges(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
   constexpr double sharp_cosine = 0.5;              // of 60 degrees
   constexpr double flat_cosine = 0.99619469809174;  // of 5 degrees
+  const std::vector<Vec3> normals = normals_of(mesh, executor);
   std::vector<std::uint8_t> is_flat(mesh.triangle_count(), 0);
   const auto sharp = pack_indices(executor, edges.size(), [&](std::size_t e) {
     const std::span<const CornerId> corners = edges.corners(e);
-    const std::optional<double> turn = turn_at(mesh, corners);
+    const std::optional<double> turn = turn_at(mesh, corners, normals);
     if (!turn) return false;
     if (*turn >= flat_cosine) {
       for (const CornerId c : corners) relaxed_store(is_flat[triangle_of(c)], std::uint8_t{1});
@@ -114,17 +119,6 @@ double length_of_sharp_edges(const Mesh& mesh, const MeshEdges& edges, Executor&
     length += norm(mesh.positions[edges.ends[e][0]] - mesh.positions[edges.ends[e][1]]);
   }
   return length;
-}
-
-std::vector<double> areas_of_parts(const Mesh& mesh, const MeshEdges& edges,
-                                   const Buffer<double>& areas, Executor& executor) {
-  DisjointSets sets(mesh.vertex_count(), executor);
-  parallel_for(executor, edges.size(), small_items,
-               [&](std::size_t e) { sets.unite(edges.ends[e][0], edges.ends[e][1]); });
-  std::vector<double> area(mesh.vertex_count(), 0);
-  for (std::size_t t = 0; t < areas.size(); ++t) area[sets.find(mesh.triangles[t][0])] += areas[t];
-  std::erase_if(area, [](double a) { return !(a > 0); });
-  return area;
 }
 
 class Judge {
@@ -210,11 +204,7 @@ class Judge {
   }
 
   void judge_small_parts() {
-    if (!remesh_.edge_lengths.empty()) return;
-    const double least = triangle_area();
-    const auto small =
-        static_cast<std::size_t>(std::count_if(signs_.part_areas.begin(), signs_.part_areas.end(),
-                                               [&](double area) { return area < least; }));
+    const std::size_t small = remesh_.small_parts;
     if (small == 0) return;
     warn(RemeshFlaw::small_parts,
          counted_as(small, "part of the input is", "parts of the input are") +
@@ -255,12 +245,10 @@ std::optional<double> volume_error(const Mesh& mesh, bool is_closed, const Remes
 
 InputSigns find_signs(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
   InputSigns signs;
-  const Buffer<double> areas = triangle_areas(mesh, edges.duplicates, executor);
-  for (const double a : areas) signs.area += a;
+  for (const double a : triangle_areas(mesh, edges.duplicates, executor)) signs.area += a;
   signs.is_closed = is_closed_and_oriented(mesh, edges, executor);
   if (!signs.is_closed) signs.split_vertices = count_split_vertices(mesh, edges);
   signs.sharp_length = length_of_sharp_edges(mesh, edges, executor);
-  signs.part_areas = areas_of_parts(mesh, edges, areas, executor);
   return signs;
 }
 

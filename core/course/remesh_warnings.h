@@ -14,7 +14,6 @@ struct InputSigns {
   bool is_closed = false;          ///< and oriented
   std::size_t split_vertices = 0;  ///< that reading would have welded
   double sharp_length = 0;         ///< of edges of 60 degrees and more between flat triangles
-  std::vector<double> part_areas;  ///< of connected parts
   double area = 0;
 };
 

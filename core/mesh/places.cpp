@@ -41,9 +41,13 @@ VertexId& PlaceTable::find(const Vec3& point) {
   return crowded_out_.try_emplace(point, no_id).first->second;
 }
 
-void PlaceTable::grow() {
+void PlaceTable::begin_anew() {
   slots_.assign(std::max(2 * std::bit_ceil(positions_.size() + 1), fewest_slots), no_id);
   crowded_out_.clear();
+}
+
+void PlaceTable::grow() {
+  begin_anew();
   for (std::size_t v = 0; v < positions_.size(); ++v) {
     VertexId& id = find(positions_[v]);
     if (id == no_id) id = static_cast<VertexId>(v);
@@ -52,8 +56,13 @@ void PlaceTable::grow() {
 
 std::vector<VertexId> places_of(const Mesh& mesh) {
   PlaceTable table(mesh.positions);
+  table.begin_anew();
   std::vector<VertexId> place(mesh.vertex_count());
-  for (VertexId v = 0; v < place.size(); ++v) place[v] = table.id_at(mesh.positions[v]);
+  for (VertexId v = 0; v < place.size(); ++v) {
+    VertexId& id = table.id_at(mesh.positions[v]);
+    if (id == no_id) id = v;
+    place[v] = id;
+  }
   return place;
 }
 

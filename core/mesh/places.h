@@ -20,6 +20,8 @@ class PlaceTable {
   /// The id of the place of this point: no_id where it is new. Then the caller sets it to that of
   /// an equal position before the next call.
   VertexId& id_at(const Vec3& point);
+  /// Makes room for all positions, of which none is in the table yet.
+  void begin_anew();
 
  private:
   struct ByCoordinates {

@@ -99,10 +99,7 @@ TEST_F(RemeshWarnings, TellOfSharpEdgesThatAreNotKept) {
 }
 
 TEST_F(RemeshWarnings, TellOfSmallParts) {
-  const double triangle = signs_.area / static_cast<double>(mesh_.triangle_count());
-  signs_.part_areas = {signs_.area, 1.5 * triangle};
-  expect({});
-  signs_.part_areas.push_back(0.5 * triangle);
+  remesh_.small_parts = 1;
   expect({RemeshFlaw::small_parts});
 }
 
@@ -125,11 +122,22 @@ TEST(InputSigns, AreThoseOfTheMesh) {
   const InputSigns parts = signs_of(two);
   EXPECT_FALSE(parts.is_closed);
   EXPECT_EQ(parts.split_vertices, 0U);
-  EXPECT_EQ(parts.part_areas.size(), 3U);
   Mesh square = one_triangle();
   append(square, {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   EXPECT_EQ(signs_of(square).split_vertices, 2U);
   EXPECT_EQ(signs_of(icosphere(1'280)).sharp_length, 0);
+}
+
+TEST(RemeshWarningsOfTheLibrary, CountPartsSmallerThanATriangle) {
+  Mesh mesh = icosphere(1'280);
+  append(mesh, moved(scaled(icosphere(80), Vec3::Constant(0.01)), {3, 0, 0}));
+  append(mesh, moved(scaled(icosphere(80), Vec3::Constant(0.5)), {6, 0, 0}));
+  RemeshOptions options;
+  options.vertex_count = 300;
+  EXPECT_EQ(remesh(mesh, options, reference_runtime()).small_parts, 1U);
+  options.vertex_count = 20'000;
+  options.fit = false;
+  EXPECT_EQ(remesh(mesh, options, reference_runtime()).small_parts, 0U);
 }
 
 // The values reach those who call the library.

@@ -154,6 +154,8 @@ struct Remesh {
                                    ///< square, mesh units; 0 without a fit
   double distance_after_fit = 0;
   std::size_t vertices_cut = 0;  ///< of the input: where it is no manifold
+  std::size_t small_parts = 0;   ///< of the input: smaller than a triangle of the remesh; none are
+                                 ///< counted where edge lengths vary
   bool was_cut_short = false;    ///< edges of the input were not halved any more at the limit
   std::vector<RemeshWarning>
       warnings;                     ///< what is bad, if anything (core/course/remesh_warnings.h)

@@ -123,9 +123,22 @@ class Remesher {
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
     result.was_cut_short = input_.was_cut_short;
+    if (sizing_.sizes.empty()) result.small_parts = count_small_parts();
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     return result;
+  }
+
+  // A remesh has about twice as many triangles as vertices.
+  [[nodiscard]] std::size_t count_small_parts() const {
+    if (input_.parts < 2) return 0;
+    std::vector<double> area(input_.parts, 0);
+    for (TriangleId t = 0; t < input_.fine.triangle_count(); ++t) {
+      area[input_.part[input_.fine.triangles[t][0]]] += input_.fine.area(t);
+    }
+    const double least = input_.fine.whole_area / (2 * static_cast<double>(count_));
+    return static_cast<std::size_t>(
+        std::count_if(area.begin(), area.end(), [&](double a) { return a < least; }));
   }
 
   void fit(std::span<const Metric> shape, Remesh& result) const {
