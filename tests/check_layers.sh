@@ -12,6 +12,7 @@ core/include/geolloyd
 core/base
 core/text
 core/mesh
+core/seams: cut_apart places stitching
 core/properties
 core/fields: cross_field curvature_field metric_mean tangent_field tangent_field_file tangent_plane
 core/repair: repair
@@ -47,7 +48,7 @@ tools/render: labels painters panel picture sheet surface_colours view
 tools/python
 tools/system
 tools/files
-tools/cli: choice_option cli_fwd folder_option format_option help_pages memory_option number_option relax_arguments remesh_arguments repair_arguments suggestion summary_options
+tools/cli: choice_option cli_fwd folder_option help_pages memory_option number_option reading_options relax_arguments remesh_arguments repair_arguments suggestion summary_options
 tools/run: checkpoint dual frames input memory_need quality remesh remesh_run result resumable seed_source stages work_queue
 tools/report
 tools/view: assets bundle layers page page_contents

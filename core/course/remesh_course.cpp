@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/course/remesh_warnings.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/sizing.h"
@@ -39,8 +40,10 @@ TimedRemesh run(RemeshCourse course) {
     return goes_on && (!hooks.keep_going || hooks.keep_going());
   };
   TimedRemesh timed;
+  const InputSigns signs = find_signs(course.mesh, course.edges, course.runtime.executor());
   timed.remesh =
       make_remesh(course.mesh, course.edges, course.options, course.runtime, course.release_edges);
+  timed.remesh.warnings = find_warnings(course.mesh, signs, course.options, timed.remesh);
   timed.seconds.prepare = first_move.value_or(last_move).since(start);
   timed.seconds.move = last_move.since(first_move.value_or(last_move));
   timed.seconds.assemble = last_move.seconds();

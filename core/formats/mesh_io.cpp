@@ -2,6 +2,8 @@
 
 #include "core/base/bounding_box.h"
 #include "core/formats/mesh_readers.h"
+#include "core/properties/properties.h"
+#include "core/seams/stitching.h"
 #include "core/text/compression.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
@@ -52,6 +54,22 @@ void check_extent(const Mesh& mesh, std::string_view name) {
   }
 }
 
+bool has_other_values(const LoadedMesh& loaded) {
+  const std::vector<VertexId>& to = loaded.welded_to;
+  for (VertexId v = 0; v < to.size(); ++v) {
+    if (to[v] != v && differ(loaded.properties.of_vertices, v, to[v])) return true;
+  }
+  return false;
+}
+
+void weld(LoadedMesh& loaded) {
+  std::vector<VertexId>& to = loaded.welded_to;
+  to = find_split_vertices(loaded.mesh);
+  for (VertexId v = 0; v < to.size(); ++v) loaded.welded_vertices += to[v] != v ? 1 : 0;
+  if (has_other_values(loaded)) loaded.properties.corner_values = loaded.mesh.triangles;
+  if (!to.empty()) rename_vertices(loaded.mesh, to);
+}
+
 }  // namespace
 
 LoadedMesh read(const std::filesystem::path& path, const ReadOptions& options) {
@@ -74,6 +92,7 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
   triangulate_concave(loaded.mesh, loaded.fans);
   spread_over_triangles(loaded.fans, loaded.mesh.triangle_count(), 64 * bytes.size(),
                         loaded.properties);
+  if (options.weld) weld(loaded);
   return static_cast<LoadedMesh&&>(loaded);
 }
 

@@ -16,7 +16,8 @@ namespace geolloyd {
 /// Writes a mesh into an open file, as write (geolloyd/mesh.h) does; the format is told by the
 /// extension. No
 /// coordinate loses a digit (PLY has float32 where these hold all of them, else float64), but in
-/// STL, which knows float32 only. Properties that the format cannot hold are passed over.
+/// STL, which knows float32 only. Properties that the format cannot hold are passed over. Where
+/// corners have values of their own, welded vertices are split again.
 void write(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
 
 /// Removes what write would pass over in a file of that name, and says so in `left_out`.

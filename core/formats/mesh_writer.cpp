@@ -151,9 +151,14 @@ void keep_writable(const std::filesystem::path& path, Properties& properties) {
   std::vector<Property> of_triangles = keep(properties.of_triangles, "triangles");
   properties.of_vertices = std::move(of_vertices);
   properties.of_triangles = std::move(of_triangles);
+  if (properties.of_vertices.empty()) properties.corner_values.clear();
 }
 
 void write(FileWriter& out, const Mesh& mesh, const Properties& properties) {
+  if (!properties.corner_values.empty()) {  // each corner names a vertex that has its values
+    const Mesh split{mesh.positions, properties.corner_values};
+    return write(out, split, {properties.of_vertices, properties.of_triangles, {}});
+  }
   const MeshFormat format = format_to_write(out.path());
   switch (format) {
     case MeshFormat::ply:

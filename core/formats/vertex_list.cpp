@@ -21,8 +21,9 @@ void for_each_line(TextCursor& cursor, std::string_view what, Take&& take) {
 
 class VertexReader {
  public:
-  VertexReader(std::string_view text, std::string_view name, const Mesh& mesh)
-      : cursor_(text, name), is_used_(referenced_vertices(mesh)) {}
+  VertexReader(std::string_view text, std::string_view name, const Mesh& mesh,
+               std::span<const VertexId> welded_to)
+      : cursor_(text, name), is_used_(referenced_vertices(mesh)), welded_to_(welded_to) {}
 
   VertexId vertex() {
     const std::int64_t id = cursor_.integer("a vertex");
@@ -31,10 +32,12 @@ class VertexReader {
       cursor_.fail("the mesh has no vertex " + std::to_string(id) + ": they are 0 to " +
                    std::to_string(count - 1));
     }
-    if (is_used_[static_cast<std::size_t>(id)] == 0) {
+    const auto named = static_cast<VertexId>(id);
+    const VertexId vertex = welded_to_.empty() ? named : welded_to_[named];
+    if (is_used_[vertex] == 0) {
       cursor_.fail("vertex " + std::to_string(id) + " is a corner of no triangle");
     }
-    return static_cast<VertexId>(id);
+    return vertex;
   }
 
   TextCursor& cursor() { return cursor_; }
@@ -42,21 +45,23 @@ class VertexReader {
  private:
   TextCursor cursor_;
   std::vector<std::uint8_t> is_used_;
+  std::span<const VertexId> welded_to_;  // empty: none
 };
 
 }  // namespace
 
 std::vector<VertexId> parse_vertex_list(std::string_view text, std::string_view name,
-                                        const Mesh& mesh) {
-  VertexReader reader(text, name, mesh);
+                                        const Mesh& mesh, std::span<const VertexId> welded_to) {
+  VertexReader reader(text, name, mesh, welded_to);
   std::vector<VertexId> vertices;
   for_each_line(reader.cursor(), "a vertex", [&] { vertices.push_back(reader.vertex()); });
   return vertices;
 }
 
 std::vector<std::array<VertexId, 2>> parse_edge_list(std::string_view text, std::string_view name,
-                                                     const Mesh& mesh, const MeshEdges& edges) {
-  VertexReader reader(text, name, mesh);
+                                                     const Mesh& mesh, const MeshEdges& edges,
+                                                     std::span<const VertexId> welded_to) {
+  VertexReader reader(text, name, mesh, welded_to);
   std::vector<std::array<VertexId, 2>> found;
   for_each_line(reader.cursor(), "two vertices", [&] {
     const VertexId a = reader.vertex();

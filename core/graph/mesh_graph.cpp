@@ -84,10 +84,13 @@ std::vector<double> node_masses(const Mesh& mesh, std::span<const TriangleId> du
   return masses;
 }
 
-MeshGraph numbered_nodes(const Mesh& mesh, GraphKind kind, Executor& executor) {
-  MeshGraph result = start_mesh_graph(mesh, kind);
+MeshGraph numbered_nodes(const Mesh& mesh, const MeshGraphOptions& options, Executor& executor) {
+  MeshGraph result = start_mesh_graph(mesh, options.kind);
   number_nodes(mesh, result, executor);
   check_some_nodes(result);
+  for (std::size_t v = 0; v < options.welded_to.size() && has_vertices(options.kind); ++v) {
+    result.node_of[v] = result.node_of[options.welded_to[v]];
+  }
   return result;
 }
 
@@ -130,7 +133,7 @@ void keep_for_arcs(MeshEdges& edges, GraphKind kind) {
 
 MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGraphOptions& options,
                           Executor& executor) {
-  MeshGraph result = numbered_nodes(mesh, options.kind, executor);
+  MeshGraph result = numbered_nodes(mesh, options, executor);
   add_graph(mesh, edges.duplicates, find_arcs(mesh, edges, options, result, executor), result,
             executor);
   return result;
@@ -138,7 +141,7 @@ MeshGraph make_mesh_graph(const Mesh& mesh, const MeshEdges& edges, const MeshGr
 
 MeshGraph make_mesh_graph(const Mesh& mesh, MeshEdges&& edges, const MeshGraphOptions& options,
                           Executor& executor) {
-  MeshGraph result = numbered_nodes(mesh, options.kind, executor);
+  MeshGraph result = numbered_nodes(mesh, options, executor);
   Buffer<UndirectedArc> arcs = find_arcs(mesh, edges, options, result, executor);
   release_all_but_duplicates(edges);
   add_graph(mesh, edges.duplicates, std::move(arcs), result, executor);

@@ -28,7 +28,8 @@ struct MeshGraph {
   GraphKind kind = GraphKind::vertex;
   Graph graph;
   std::vector<InputId> input_id;      ///< per node
-  std::vector<NodeId> node_of;        ///< per input id; no_id where it has no node (mesh_check.h)
+  std::vector<NodeId> node_of;        ///< per input id; no_id where it has no node (mesh_check.h);
+                                      ///< of a welded vertex, that of the one that stands for it
   std::vector<Vec3> position;         ///< per node: vertex, or barycentre of the triangle
   std::size_t first_triangle_id = 0;  ///< input ids from here on are triangles
 
@@ -42,7 +43,8 @@ struct MeshGraphOptions {
   Norm norm = Norm::geodesic;
   std::vector<TangentSpace> vertex_space;  ///< one per vertex, or none for the isotropic metric
   std::optional<Averaging> averaging =
-      std::nullopt;  ///< of spaces; none: suggested_averaging(norm)
+      std::nullopt;                      ///< of spaces; none: suggested_averaging(norm)
+  std::vector<VertexId> welded_to = {};  ///< of a mesh that was read (geolloyd/mesh.h), or none
 };
 
 /// Number of nodes that a graph will have.

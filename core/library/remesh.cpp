@@ -32,7 +32,7 @@ std::vector<Property> values_at(const Mesh& mesh, const std::vector<Property>& o
       throw InvalidInput("place " + std::to_string(mixtures.size()) +
                          ": the mesh has no triangle " + std::to_string(place.triangle));
     }
-    mixtures.push_back(mixture_at(mesh, place));
+    mixtures.push_back(mixture_at(mesh.triangles, place));
   }
   return mix(of_vertices, mixtures, runtime.executor());
 }

@@ -1,6 +1,7 @@
 #include "core/properties/properties.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <type_traits>
@@ -122,6 +123,20 @@ double intensity_at(const Property& property, std::size_t i) {
   return value_at(property, i) / largest;
 }
 
+std::span<const Triangle> value_triangles(const Mesh& mesh, const Properties& properties) {
+  return properties.corner_values.empty() ? mesh.triangles : properties.corner_values;
+}
+
+bool differ(const std::vector<Property>& of_vertices, VertexId a, VertexId b) {
+  return std::any_of(of_vertices.begin(), of_vertices.end(), [&](const Property& property) {
+    return std::visit(
+        [&](const auto& values) {
+          return std::memcmp(&values[a], &values[b], sizeof(values[a])) != 0;
+        },
+        property.values);
+  });
+}
+
 std::string list_names(std::span<const Property> properties) {
   std::string text;
   for (const Property& property : properties) {
@@ -144,13 +159,25 @@ Properties follow_origins(const Properties& properties, const Mesh& mesh,
     if (source[t] != no_id) continue;
     for (const VertexId v : mesh.triangles[t]) source[t] = std::min(source[t], first_at[v]);
   }
-  return {pick(properties.of_vertices, vertex_origin), pick(properties.of_triangles, source),
-          properties.left_out};
+  Properties followed{pick(properties.of_vertices, vertex_origin),
+                      pick(properties.of_triangles, source), properties.left_out};
+  if (!properties.corner_values.empty()) followed.left_out.emplace_back(one_side_of_seams);
+  return followed;
 }
 
 void validate(const Properties& properties, const Mesh& mesh) {
   validate(properties.of_vertices, mesh.vertex_count(), "vertices");
   validate(properties.of_triangles, mesh.triangle_count(), "triangles");
+  const auto& corners = properties.corner_values;
+  if (corners.empty()) return;
+  if (corners.size() != mesh.triangle_count()) {
+    throw InvalidInput("values of corners: " + std::to_string(corners.size()) + " for " +
+                       std::to_string(mesh.triangle_count()) + " triangles");
+  }
+  for (const auto& corner : corners) {
+    if (*std::max_element(corner.begin(), corner.end()) < mesh.vertex_count()) continue;
+    throw InvalidInput("values of corners: those of a vertex that the mesh does not have");
+  }
 }
 
 }  // namespace geolloyd

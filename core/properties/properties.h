@@ -43,8 +43,17 @@ double value_at(const Property& property, std::size_t i);
 /// A part of a colour between 0 and 1: integers are shares of the largest of their type.
 double intensity_at(const Property& property, std::size_t i);
 
+/// The vertices whose values the corners of triangles have.
+std::span<const Triangle> value_triangles(const Mesh& mesh, const Properties& properties);
+/// Whether a property of two vertices has not the same bits.
+bool differ(const std::vector<Property>& of_vertices, VertexId a, VertexId b);
+
 /// "red, green, blue"; fit for one line, however odd the names are.
 std::string list_names(std::span<const Property> properties);
+
+/// What people are told where corner_values come to be values of vertices.
+inline constexpr const char* one_side_of_seams =
+    "where welded vertices had several values (a seam), those of one side are kept";
 
 /// Those of a mesh made of another one, of which each vertex and triangle was one. A triangle that
 /// was none (no_id) has what the first triangle at its corners has.

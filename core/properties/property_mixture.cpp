@@ -119,11 +119,11 @@ void normalise_normals(std::vector<Property>& properties, std::size_t count, Exe
 
 }  // namespace
 
-Mixture mixture_at(const Mesh& mesh, const SurfacePoint& place) {
+Mixture mixture_at(std::span<const Triangle> triangles, const SurfacePoint& place) {
   Mixture mixture{};
   if (place.triangle == no_id) return mixture;
   for (std::size_t c = 0; c < 3; ++c) {
-    mixture[c] = {mesh.triangles[place.triangle][c], place.barycentric[c]};
+    mixture[c] = {triangles[place.triangle][c], place.barycentric[c]};
   }
   return mixture;
 }

@@ -22,8 +22,8 @@ struct Share {
 /// for rounding; what has no weight does not count.
 using Mixture = std::array<Share, 4>;
 
-/// Corners of a triangle by barycentric coordinates; nothing for a point of no triangle.
-Mixture mixture_at(const Mesh& mesh, const SurfacePoint& place);
+/// Corners of one of the triangles by barycentric coordinates; nothing for a point of no triangle.
+Mixture mixture_at(std::span<const Triangle> triangles, const SurfacePoint& place);
 
 /// Properties of items that are mixtures. Numbers are weighted means, so a linear function stays
 /// one, and never leave the range of what is mixed; integers are then rounded. Labels

@@ -11,6 +11,8 @@
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/connectivity.h"
 #include "core/repair/hole_triangulation.h"
+#include "core/seams/places.h"
+#include "core/seams/stitching.h"
 
 namespace geolloyd {
 namespace {

@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "core/base/bucketing.h"
+#include "core/seams/places.h"
+#include "core/seams/stitching.h"
 
 namespace geolloyd {
 namespace {

@@ -22,17 +22,8 @@ inline constexpr double sliver_flatness = 1e-6;
 
 bool is_sliver(const Mesh& mesh, const Triangle& triangle);
 
-/// Per vertex the smallest vertex in the very same place. O(n log n).
-std::vector<VertexId> places_of(const Mesh& mesh);
-
-/// Per vertex the smallest vertex that it is connected to by edges.
-std::vector<VertexId> components_of(const Mesh& mesh);
-
 /// Leaves out triangles, and keeps the others in order.
 void remove_triangles(MeshUnderRepair& state, const std::vector<std::uint8_t>& is_removed);
-
-/// Renames vertices in all triangles.
-void rename_vertices(Mesh& mesh, const std::vector<VertexId>& name);
 
 /// Leaves out the vertices of no triangle, and keeps the others in order.
 void remove_unused_vertices(MeshUnderRepair& state);

@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "core/base/sorting.h"
-#include "core/mesh/cut_apart.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/repair/holes.h"
 #include "core/repair/loose_components.h"
 #include "core/repair/mesh_under_repair.h"
 #include "core/repair/orientation.h"
 #include "core/repair/slivers.h"
-#include "core/repair/stitching.h"
+#include "core/seams/cut_apart.h"
+#include "core/seams/stitching.h"
 
 namespace geolloyd {
 namespace {

@@ -77,7 +77,7 @@ const std::vector<OddMesh> odd_meshes = {
     {"AllPointsEqual", {{4, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}}, 2, {"2 triangles without area", "5 edges without length"}},
     {"Collinear", {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}}, 2, {"2 triangles without area"}},
     {"Needles", {{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-200, 0}, {0.5, -1e-200, 0}}, {{0, 1, 2}, {0, 3, 1}}}, 2, {"area 0,"}},
-    {"DuplicateVertices", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 5, 4}}}, 2, {"2 components"}},
+    {"DuplicateVertices", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 5, 4}}}, 2, {"1 component,", "2 vertices in the places of others: welded"}},
     {"DuplicateTriangles", {square_points, {{0, 1, 2}, {0, 1, 2}, {2, 0, 1}, {2, 1, 0}, {0, 2, 3}}}, 2, {"3 duplicate triangles", "area 1,", "NOT OF THE INPUT'S TOPOLOGY", "the input is no manifold"}},
     {"TrianglesNamingAVertexTwice", {square_points, {{0, 0, 1}, {0, 1, 2}, {1, 1, 1}}}, 2, {"2 triangles naming a vertex twice", "1 vertices of no triangle"}},
     {"FlippedOrientation", {square_points, {{0, 1, 2}, {0, 3, 2}}}, 2, {"1 edges between opposite orientations"}},

@@ -61,9 +61,10 @@ class Repairing : public Program {
 };
 
 TEST_F(Repairing, WritesTheRepairedMeshItsMapAndReport) {
-  const Outcome outcome = geolloyd_with(
-      "repair " + flawed_.string() + " -o " + file("r.ply").string() + " --fill-holes 3 --map " +
-      file("map.csv").string() + " --report " + file("r.json").string());
+  const Outcome outcome =
+      geolloyd_with("repair " + flawed_.string() + " -o " + file("r.ply").string() +
+                    " --no-weld --fill-holes 3 --map " + file("map.csv").string() + " --report " +
+                    file("r.json").string());
   expect_text(outcome, "  repaired    1 duplicate triangle: left out\n");
   expect_text(outcome, "  repaired    3 vertices merged with others in the same place\n");
   expect_text(outcome, "  repaired    1 hole filled with 1 triangle\n");
@@ -83,9 +84,9 @@ TEST_F(Repairing, WritesTheRepairedMeshItsMapAndReport) {
 }
 
 TEST_F(Repairing, AppliesToRemeshes) {
-  const Outcome outcome =
-      geolloyd_with("remesh " + flawed_.string() + " --repair --fill-holes 3 --vertices 150 -o " +
-                    file("r.ply").string() + " --report " + file("r.json").string());
+  const Outcome outcome = geolloyd_with(
+      "remesh " + flawed_.string() + " --no-weld --repair --fill-holes 3 --vertices 150 -o " +
+      file("r.ply").string() + " --report " + file("r.json").string());
   expect_text(outcome, "  repaired    100 triangles turned");
   expect_text(outcome, "0 boundary loops, manifold, of the input's topology\n");
   const nlohmann::json report = json("r.json");
@@ -97,7 +98,7 @@ TEST_F(Repairing, AppliesToRemeshes) {
 
 TEST_F(Repairing, AppliesToTessellations) {
   const Outcome outcome = geolloyd_with("relax " + flawed_.string() + " -o " + out().string() +
-                                        " --repair --fill-holes 3 --seeds 40");
+                                        " --no-weld --repair --fill-holes 3 --seeds 40");
   expect_text(outcome, "  repaired    3 vertices merged");
   expect_repairs(json("out/report.json")["repairs"]);
   // The tessellation is one of the repaired mesh.

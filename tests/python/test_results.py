@@ -117,6 +117,24 @@ def test_values_of_files(tmp_path, torus):
         name: value.tolist() for name, value in found.vertex_values.items()}
 
 
+def test_split_vertices(tmp_path, torus):
+    vertices, faces = torus
+    split, apart = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
+    heat = np.repeat(np.arange(len(faces), dtype=np.int32), 3)
+    geolloyd.write(tmp_path / "split.ply", split, apart, heat=heat)
+    welded = geolloyd.read(tmp_path / "split.ply")
+    assert len(welded.vertices) == len(split) and len(np.unique(welded.faces)) == len(vertices)
+    assert (welded.corner_values == apart).all() and (welded.vertex_values["heat"] == heat).all()
+    geolloyd.write(tmp_path / "again.ply", welded)
+    assert (geolloyd.read(tmp_path / "again.ply").corner_values == apart).all()
+    left = geolloyd.read(tmp_path / "split.ply", weld=False)
+    assert (left.faces == apart).all() and left.corner_values is None
+    good = geolloyd.remesh(welded, 600)
+    assert good.warnings == [] and len(good.vertices) == 600
+    bad = geolloyd.remesh(left, 600)
+    assert "split_vertices" in [w["kind"] for w in bad.report["warnings"]] and len(bad.warnings) > 1
+
+
 def test_meshes_of_other_libraries(torus):
     class Trimesh:
         vertices, faces = torus

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/mesh/cut_apart.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/seams/cut_apart.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
 #include "geolloyd/repair.h"

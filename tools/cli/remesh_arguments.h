@@ -17,6 +17,7 @@ struct RemeshArguments {
   ThreadArguments threads;
   PictureLook picture;
   RemeshFiles files;
+  bool is_strict = false;  ///< warnings are told by the exit status, too
 };
 
 /// The options below, as the help groups them.

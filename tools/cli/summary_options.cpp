@@ -14,4 +14,10 @@ void add_json_option(CLI::App& command, Console& console) {
       "--json", [&console] { console.want_json(); }, "Print all figures as JSON, for scripts");
 }
 
+void add_strict_option(CLI::App& command, bool& is_strict) {
+  command.add_flag("--strict", is_strict,
+                   "Exit with status 3, once all files are written, where there is a\n"
+                   "warning: the result is bad");
+}
+
 }  // namespace geolloyd

@@ -12,4 +12,7 @@ void add_quiet_option(CLI::App& command, Console& console);
 /// its figures as such.
 void add_json_option(CLI::App& command, Console& console);
 
+/// Adds --strict: warnings end the command with exit status 3.
+void add_strict_option(CLI::App& command, bool& is_strict);
+
 }  // namespace geolloyd

@@ -6,7 +6,7 @@
 
 #include "core/base/stopwatch.h"
 #include "tools/cli/folder_option.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -71,7 +71,7 @@ void add_ground_truth_command(CLI::App& program, Console& console) {
   add_graph_options(*command, arguments->start.graph);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
-  add_format_option(*command, arguments->start.format);
+  add_reading_options(*command, arguments->start.reading);
   command->footer("Seeds are judged as they are; `relax --ground-truth` judges relaxed seeds.");
   command->callback([arguments, &console] { run_ground_truth(*arguments, console); });
 }

@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_topology.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/report/report_parts.h"
@@ -23,15 +22,15 @@ namespace {
 
 struct InfoArguments {
   std::filesystem::path mesh;
-  std::optional<MeshFormat> format;
+  MeshReading reading;
 };
 
 void run_info(const InfoArguments& arguments, const Console& console) {
   const std::filesystem::path& file = arguments.mesh;
-  Input input{file, read_within_limits(file, {false, arguments.format}), {}, {}};
+  Input input{file, read_within_limits(file, {false, arguments.reading}), {}, {}};
   ProgressLine(console).announce_memory(file.string(), bytes_to_read(size_of(input.loaded)));
   const MeshEdges edges = find_edges(input.mesh());
-  input.facts = check_mesh(input.mesh(), edges);
+  input.facts = find_facts(input.loaded, edges);
   const MeshTopology topology = find_topology(input.mesh(), edges);
   if (console.wants_json()) {
     Json facts = mesh_part(input);
@@ -50,7 +49,7 @@ void add_info_command(CLI::App& program, Console& console) {
   const auto a = std::make_shared<InfoArguments>();
   command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
   add_json_option(*command, console);
-  add_format_option(*command, a->format);
+  add_reading_options(*command, a->reading);
   command->callback([a, &console] { run_info(*a, console); });
 }
 

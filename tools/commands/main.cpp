@@ -29,6 +29,7 @@ namespace {
 
 constexpr int status_error = 1;      // ours to mend
 constexpr int status_bad_input = 2;  // the user's to mend
+constexpr int status_warned = 3;     // the results are there
 constexpr int status_interrupted = 130;
 
 // One line, whatever stands in the name of a file.
@@ -171,6 +172,8 @@ int main(int argc, char** argv) {
     return complain(status_bad_input, error.what());
   } catch (const geolloyd::InterruptedExit&) {
     return status_interrupted;
+  } catch (const geolloyd::WarnedExit&) {
+    return status_warned;
   } catch (const std::bad_alloc&) {
     return complain(status_bad_input, geolloyd::out_of_memory_message());
   } catch (const std::filesystem::filesystem_error& error) {

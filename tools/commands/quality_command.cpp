@@ -7,8 +7,8 @@
 
 #include "geolloyd/errors.h"
 #include "geolloyd/threads.h"
-#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -68,7 +68,7 @@ void add_quality_command(CLI::App& program, Console& console) {
       ->type_name("FILE|curvature");
   command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
   add_json_option(*command, console);
-  add_format_option(*command, input.format);
+  add_reading_options(*command, input.reading);
   add_thread_options(*command, a->threads);
   command->callback([a, &console] { run_quality(*a, console); });
 }

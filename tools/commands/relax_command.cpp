@@ -13,8 +13,8 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
-#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -408,7 +408,7 @@ void add_relax_command(CLI::App& program, Console& console) {
   add_engine_option(*command, arguments->engine.kind);
   add_frontier_option(*command, arguments->engine);
   add_thread_options(*command, arguments->threads);
-  add_format_option(*command, arguments->start.format);
+  add_reading_options(*command, arguments->start.reading);
   add_picture_options(*command, arguments->look);
   command->footer(
       "Ctrl-C ends the work and writes the best result so far. The same command with --resume\n"

@@ -22,6 +22,7 @@
 #include "geolloyd/errors.h"
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -261,12 +262,15 @@ void run_remesh_all(RemeshAllArguments& arguments, const Console& console) {
   prepare_folder(arguments.folder, std::array{RemeshRecord::csv_name, RemeshRecord::json_name},
                  inputs);
   std::size_t failed = 0;
+  bool has_warnings = false;
   {
     RemeshingAll all(arguments, tasks, console);
     const RemeshRecord& record = all.run();
     failed = record.failed();
     if (console.wants_json()) console.print_json(json_text(record.result()));
     fmt::print("{}", record.summary());
+    has_warnings = !record.warnings().empty();
+    tell_warnings(record.warnings(), arguments.each.is_strict, console);
   }
   if (interrupted()) throw InterruptedExit{};
   if (failed > 0) {
@@ -274,6 +278,7 @@ void run_remesh_all(RemeshAllArguments& arguments, const Console& console) {
                                    counted(tasks.size(), "mesh", "meshes"),
                                    (arguments.folder / RemeshRecord::csv_name).string()));
   }
+  if (arguments.each.is_strict && has_warnings) throw WarnedExit{};
 }
 
 }  // namespace
@@ -297,6 +302,7 @@ void add_remesh_all_command(CLI::App& program, Console& console) {
              "--format", set_format, "Format of the remeshes (default: that of each input)"),
          written_format_names);
   add_json_option(*command, console);
+  add_strict_option(*command, a->each.is_strict);
   command->add_flag("--reports", a->has_reports,
                     "For each remesh a report, NAME.json, like that of remesh --report");
   add_adapt_options(*command, a->each.request);
@@ -307,6 +313,7 @@ void add_remesh_all_command(CLI::App& program, Console& console) {
   add_feature_options(*command, a->each.request);
   add_no_fit_option(*command, a->each.request);
   add_drop_option(*command, a->each.request.carries_properties);
+  add_weld_option(*command, a->each.request.reading);
   add_engine_option(*command, a->each.engine);
   add_thread_options(*command, a->each.threads);
   command->footer(

@@ -8,7 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/formats/mesh_io.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -22,6 +22,7 @@
 #include "tools/view/page.h"
 #include "tools/view/page_contents.h"
 #include "tools/words/mesh_files.h"
+#include "tools/words/warnings_text.h"
 
 namespace geolloyd {
 namespace {
@@ -67,7 +68,9 @@ void run_remesh(RemeshArguments& arguments, const Console& console) {
   progress.clear();
   if (console.wants_json()) console.print_json(remesh_report(request, done));
   fmt::print("{}{}", describe(names, done), page);
+  tell_warnings(lines_of_warnings(remesh.warnings), arguments.is_strict, console);
   if (remesh.interrupted) throw InterruptedExit{};
+  if (arguments.is_strict && !remesh.warnings.empty()) throw WarnedExit{};
 }
 
 }  // namespace
@@ -108,13 +111,14 @@ void add_remesh_command(CLI::App& program, Console& console) {
   add_drop_option(*command, request.carries_properties);
   add_engine_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, request.format);
+  add_reading_options(*command, request.reading);
   add_picture_options(*command, a->picture);
   command->footer(
       "Ctrl-C ends the work and writes the best remesh so far. For the thesis's tessellation, "
       "with\n"
       "regions, seeds on nodes and metrics, use relax.");
   add_json_option(*command, console);
+  add_strict_option(*command, a->is_strict);
   command->callback([a, &console] { run_remesh(*a, console); });
 }
 

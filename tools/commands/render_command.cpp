@@ -7,7 +7,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/evaluation/ground_truth.h"
@@ -123,7 +123,7 @@ class Renderer {
   void read_mesh_alone() {
     progress_.stage("reading " + arguments_.start.mesh.string());
     start_.input = load_input(arguments_.start.mesh, scheduler_,
-                              {arguments_.start.has_properties, arguments_.start.format})
+                              {arguments_.start.has_properties, arguments_.start.reading})
                        .input;
     const Mesh& mesh = start_.input.mesh();
     const PictureLook& look = arguments_.picture;
@@ -253,7 +253,7 @@ void add_render_command(CLI::App& program, Console& console) {
   add_dual_options(*command, a->dual.manifold, a->dual.vertices, a->dual.quads);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, a->start.format);
+  add_reading_options(*command, a->start.reading);
   command->footer(
       "surface, mesh and field need no seeds. Seeds are not relaxed. The background is\n"
       "transparent; with captions it is white.");

@@ -14,7 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/properties/properties.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
 #include "tools/cli/summary_options.h"
@@ -37,7 +37,7 @@ namespace {
 
 struct RepairCommandArguments {
   std::filesystem::path mesh;
-  std::optional<MeshFormat> format;
+  MeshReading reading;
   RepairArguments repair;
   ThreadArguments threads;
   std::filesystem::path output;
@@ -75,12 +75,12 @@ void run_repair(const RepairCommandArguments& arguments, const Console& console)
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
   progress.stage("reading " + arguments.mesh.string());
-  const Input given = load_input(arguments.mesh, scheduler, {true, arguments.format}).input;
+  const Input given = load_input(arguments.mesh, scheduler, {true, arguments.reading}).input;
   progress.announce_memory(arguments.mesh.string(), bytes_to_repair(size_of(given.loaded)));
   progress.stage("repairing");
   const Stopwatch watch;
-  const RepairedMesh repaired =
-      make_repaired_mesh(given.mesh(), arguments.repair.options, scheduler);
+  RepairedMesh repaired = make_repaired_mesh(given.mesh(), arguments.repair.options, scheduler);
+  repaired.repairs = without_welded(repaired.repairs, given.loaded);
   const double seconds = watch.seconds();
   const MeshEdges edges = find_edges(repaired.mesh, scheduler);
   const MeshFacts facts = check_mesh(repaired.mesh, edges, scheduler);
@@ -143,7 +143,7 @@ void add_repair_command(CLI::App& program, Console& console) {
   add_hole_option(*command, a->repair);
   add_thread_options(*command, a->threads);
   add_json_option(*command, console);
-  add_format_option(*command, a->format);
+  add_reading_options(*command, a->reading);
   command->callback([a, &console] { run_repair(*a, console); });
 }
 

@@ -8,7 +8,7 @@
 #include "core/formats/mesh_io.h"
 #include "core/mesh/subdivide.h"
 #include "tools/cli/choice_option.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
 #include "tools/files/output_folder.h"
@@ -35,7 +35,7 @@ const std::vector<Named<Scheme>> scheme_names = {
 
 struct SubdivideArguments {
   std::filesystem::path mesh;
-  std::optional<MeshFormat> format;
+  MeshReading reading;
   std::filesystem::path output;
   std::vector<Scheme> schemes;
 };
@@ -68,10 +68,10 @@ void add_subdivide_command(CLI::App& program, Console& console) {
       ->type_name("FILE")
       ->required();
   add_json_option(*command, console);
-  add_format_option(*command, arguments->format);
+  add_reading_options(*command, arguments->reading);
   command->callback([arguments, &console] {
     check_mesh_target(arguments->output, arguments->mesh);
-    Mesh mesh = read_within_limits(arguments->mesh, {false, arguments->format}).mesh;
+    Mesh mesh = read_within_limits(arguments->mesh, {false, arguments->reading}).mesh;
     check_memory(arguments->output.string(), mesh, arguments->schemes, console);
     for (const Scheme& scheme : arguments->schemes) {
       mesh = scheme.subdivide(mesh);

@@ -14,7 +14,7 @@
 #include "core/lloyd/paired_engine.h"
 #include "geolloyd/errors.h"
 #include "geolloyd/threads.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
@@ -163,7 +163,7 @@ void verify_remesh(const VerifyArguments& a, const Console& console) {
   check_has_magnitudes(a.start.graph);
   RemeshRequest request = a.request;
   request.mesh = a.start.mesh;
-  request.format = a.start.format;
+  request.reading = a.start.reading;
   request.field = a.start.graph;
   request.carries_properties = false;
   ProgressLine progress(console);
@@ -232,7 +232,7 @@ void add_verify_command(CLI::App& program, Console& console) {
   add_feature_options(*command, arguments->request);
   add_feature_file_options(*command, arguments->request);
   add_thread_options(*command, arguments->threads);
-  add_format_option(*command, arguments->start.format);
+  add_reading_options(*command, arguments->start.reading);
   command->footer(
       "If the engines differ, the first step, node and value is named, and the exit status is 1.\n"
       "Times are those of the engines' work.");

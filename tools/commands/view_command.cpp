@@ -10,7 +10,7 @@
 
 #include "tools/cli/choice_option.h"
 #include "tools/cli/folder_option.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/commands/commands.h"
 #include "tools/run/stages.h"
@@ -55,7 +55,7 @@ void run_view(const ViewArguments& arguments, const Console& console) {
   Threads threads(scheduler);
   ProgressLine progress(console);
   progress.stage("reading " + start.mesh.string());
-  LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties, start.format});
+  LoadedInput loaded = load_input(start.mesh, scheduler, {start.has_properties, start.reading});
   progress.stage("building the graph and choosing seeds");
   SessionModel model(std::move(loaded),
                      {start.graph, start.seeds, start.seed_file, arguments.greedy},
@@ -92,7 +92,7 @@ void add_view_command(CLI::App& program, Console& console) {
              "Greedy phase before the precise phase; auto goes by --init");
   add_drop_option(*command, a->start.has_properties);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, a->start.format);
+  add_reading_options(*command, a->start.reading);
   command->footer(
       "The server answers on this machine only, and only to the address that it prints. It ends\n"
       "with Ctrl-C, or when the page has been closed for ten minutes. From another machine:\n"

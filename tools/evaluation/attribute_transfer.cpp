@@ -19,13 +19,17 @@ constexpr std::size_t queries_at_a_time = 64;
 class Carrier {
  public:
   Carrier(const Mesh& mesh, const Properties& properties, Executor& executor)
-      : mesh_(mesh), properties_(properties), executor_(executor) {}
+      : mesh_(mesh),
+        properties_(properties),
+        corners_(value_triangles(mesh, properties)),
+        executor_(executor) {}
 
   /// mixture(i): what vertex i of the remesh is made of.
   template <class MixtureOf>
   Properties carry(const Mesh& remesh, MixtureOf&& mixture_of) {
     Properties carried;
     carried.left_out = properties_.left_out;
+    if (!properties_.corner_values.empty()) carried.left_out.emplace_back(one_side_of_seams);
     if (!properties_.of_vertices.empty()) {
       std::vector<Mixture> mixtures(remesh.vertex_count());
       parallel_for(executor_, mixtures.size(), queries_at_a_time,
@@ -53,7 +57,7 @@ class Carrier {
     const auto [v, w] = barycentric_closest_to_origin(
         {mesh_.positions[a] - p, mesh_.positions[b] - p, mesh_.positions[c] - p});
     const double u = 1 - v - w;
-    return mixture_at(mesh_, {triangle, {u > 0 ? u : 0, v, w}});
+    return mixture_at(corners_, {triangle, {u > 0 ? u : 0, v, w}});
   }
 
  private:
@@ -73,24 +77,27 @@ class Carrier {
 
   const Mesh& mesh_;
   const Properties& properties_;
+  std::span<const Triangle> corners_;
   Executor& executor_;
   std::optional<ClosestPoint> surface_;
 };
 
-Mixture mixture_of_seed(const Mesh& mesh, const MeshGraph& mesh_graph, NodeId seed) {
+Mixture mixture_of_seed(std::span<const Triangle> triangles, const MeshGraph& mesh_graph,
+                        NodeId seed) {
   const InputId id = mesh_graph.input_id[seed];
   if (!mesh_graph.is_triangle(id)) return {{{id, 1}}};
   constexpr double third = 1.0 / 3;
   const auto triangle = static_cast<TriangleId>(id - mesh_graph.first_triangle_id);
-  return mixture_at(mesh, {triangle, {third, third, third}});
+  return mixture_at(triangles, {triangle, {third, third, third}});
 }
 
 }  // namespace
 
 Properties transfer_properties(const Mesh& mesh, const Properties& properties, const Remesh& remesh,
                                Executor& executor) {
+  const std::span<const Triangle> corners = value_triangles(mesh, properties);
   return Carrier(mesh, properties, executor).carry(remesh.mesh, [&](std::size_t v) {
-    return mixture_at(mesh, remesh.places[v]);
+    return mixture_at(corners, remesh.places[v]);
   });
 }
 
@@ -98,6 +105,7 @@ Properties transfer_properties(const Mesh& mesh, const Properties& properties,
                                const MeshGraph& mesh_graph, const GraphDual& remesh,
                                Executor& executor) {
   Carrier carrier(mesh, properties, executor);
+  const std::span<const Triangle> corners = value_triangles(mesh, properties);
   const auto is_at_seed = [&](std::size_t v) {
     return remesh.mesh.positions[v] == mesh_graph.position[remesh.seeds[v]];
   };
@@ -105,7 +113,7 @@ Properties transfer_properties(const Mesh& mesh, const Properties& properties,
     if (!is_at_seed(v)) carrier.find_surface();
   }
   return carrier.carry(remesh.mesh, [&](std::size_t v) {
-    return is_at_seed(v) ? mixture_of_seed(mesh, mesh_graph, remesh.seeds[v])
+    return is_at_seed(v) ? mixture_of_seed(corners, mesh_graph, remesh.seeds[v])
                          : carrier.closest_to(remesh.mesh.positions[v]);
   });
 }

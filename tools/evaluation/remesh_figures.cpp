@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/mesh_measure.h"
+#include "core/course/remesh_warnings.h"
 #include "core/surface/sizing/field_metric.h"
 #include "tools/evaluation/distances/surface_distance.h"
 
@@ -48,10 +48,7 @@ RemeshFigures judge_remesh(const Mesh& mesh, const MeshEdges& edges, const MeshF
   if (remesh.mesh.triangles.empty()) return figures;
   figures.samples = samples;
   figures.distance = measure_distance_one_way(executor, mesh, edges, remesh.mesh, samples);
-  if (is_closed(facts) && remesh.is_manifold() && remesh.topology.total().boundary_loops == 0) {
-    const double volume = enclosed_volume(mesh);
-    if (volume != 0) figures.volume_error = enclosed_volume(remesh.mesh) / volume - 1;
-  }
+  figures.volume_error = volume_error(mesh, is_closed(facts), remesh);
   return figures;
 }
 

@@ -31,6 +31,7 @@ std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& prop
   const auto value = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(value_at(*labels, i)));
   };
+  const std::span<const Triangle> corners = value_triangles(mesh, properties);
   std::vector<std::uint32_t> groups(mesh.triangle_count());
   for (std::size_t t = 0; t < groups.size(); ++t) {
     if (of_triangles != nullptr) {
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> label_groups(const Mesh& mesh, const Properties& prop
     }
     std::array<std::int64_t, 3> corner{};
     for (std::size_t c = 0; c < 3; ++c) {
-      corner[c] = static_cast<std::int64_t>(value_at(*labels, mesh.triangles[t][c]));
+      corner[c] = static_cast<std::int64_t>(value_at(*labels, corners[t][c]));
     }
     std::sort(corner.begin(), corner.end());
     groups[t] = static_cast<std::uint32_t>(corner[1] == corner[2] ? corner[1] : corner[0]);

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "core/course/field_source.h"
-#include "core/formats/mesh_formats.h"
 #include "geolloyd/remesh.h"
 #include "geolloyd/repair.h"
+#include "tools/files/mesh_reading.h"
 
 namespace geolloyd {
 
 /// A remesh of a file that is asked for. Paths and names may be empty: then there is none.
 struct RemeshRequest {
   std::filesystem::path mesh;
-  std::optional<MeshFormat> format;  ///< where the name of the mesh does not tell it
+  MeshReading reading;
   std::optional<RepairOptions> repair;
   RemeshOptions options;       ///< but for what the next ones say
   double tolerance = 0;        ///< largest distance to the input; 0: not given

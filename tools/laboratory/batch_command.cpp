@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
-#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/batch_runs.h"
 #include "tools/laboratory/laboratory.h"
@@ -69,7 +69,7 @@ void run_batch(BatchArguments& arguments, const Console& console) {
   std::vector<std::size_t> ladder = seed_ladder(arguments.seeds);
   progress.stage("reading " + arguments.start.mesh.string());
   const LoadedInput loaded =
-      load_input(arguments.start.mesh, scheduler, {false, arguments.start.format});
+      load_input(arguments.start.mesh, scheduler, {false, arguments.start.reading});
   const Input& input = loaded.input;
   BatchRuns batches(arguments, std::move(ladder), loaded, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
@@ -138,7 +138,7 @@ void add_batch_command(CLI::App& program, Console& console) {
   add_limit_options(*command, a->limits);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, a->start.format);
+  add_reading_options(*command, a->start.reading);
   command->footer(
       "First seeds are chosen as triangles. A graph without triangles takes a corner of each.");
   command->callback([a, &console] { run_batch(*a, console); });

@@ -98,8 +98,9 @@ MeshGraph BatchRuns::build_graph(GraphKind kind) {
                                                             input, loaded_.edges, {}, scheduler_));
   }
   progress_.announce_memory(input.file.string(), bytes_of_run_);
-  return make_mesh_graph(input.mesh(), loaded_.edges,
-                         graph_options(graph, input.mesh(), loaded_.edges, scheduler_), scheduler_);
+  MeshGraphOptions options = graph_options(graph, input.mesh(), loaded_.edges, scheduler_);
+  options.welded_to = input.loaded.welded_to;
+  return make_mesh_graph(input.mesh(), loaded_.edges, options, scheduler_);
 }
 
 std::vector<BatchRow> BatchRuns::run_from(const MeshGraph& mesh_graph, std::size_t seeds) {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "tools/cli/choice_option.h"
-#include "tools/cli/format_option.h"
 #include "tools/cli/number_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/comparison.h"
 #include "tools/laboratory/experiment.h"
@@ -158,7 +158,7 @@ void add_compare_command(CLI::App& program, Console& console) {
       ->add_flag("--no-reference", a->no_reference,
                  "Leave out the sequential reference, which is slow")
       ->group(group);
-  add_format_option(*command, a->start.format);
+  add_reading_options(*command, a->start.reading);
   command->footer("Exit status 1 if a fingerprint differs. Times are those of the relaxation.");
   command->callback([a, &console] { run_compare(*a, console); });
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tools/cli/choice_option.h"
-#include "tools/cli/format_option.h"
+#include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/laboratory/experiment.h"
 #include "tools/laboratory/laboratory.h"
@@ -189,7 +189,7 @@ void add_profile_command(CLI::App& program, Console& console) {
   add_relaxation_options(*command, a->relaxation);
   add_frontier_option(*command, a->engine);
   add_thread_options(*command, a->threads);
-  add_format_option(*command, a->start.format);
+  add_reading_options(*command, a->start.reading);
   command->footer(
       "Kernels of the parallel engine run side by side. The time of a step is divided among\n"
       "kernels by their shares in the time of all threads.");

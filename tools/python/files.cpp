@@ -1,8 +1,13 @@
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/formats/mesh_formats.h"
 #include "geolloyd/mesh.h"
@@ -53,21 +58,35 @@ std::vector<Property> properties_of(const py::dict& arrays) {
   return properties;
 }
 
-py::tuple read_arrays(const std::filesystem::path& path) {
+using Corners = std::vector<std::array<VertexId, 3>>;
+
+py::object corners_of(Corners&& corners) {
+  if (corners.empty()) return py::none();
+  const auto rows = static_cast<py::ssize_t>(corners.size());
+  return array_of<std::int32_t>(std::move(corners), {rows, 3});
+}
+
+py::tuple read_arrays(const std::filesystem::path& path, bool weld) {
   LoadedMesh loaded;
   {
     const py::gil_scoped_release working;
-    loaded = geolloyd::read(path, {true});
+    ReadOptions options;
+    options.properties = true;
+    options.weld = weld;
+    loaded = geolloyd::read(path, options);
   }
   auto [vertices, faces] = arrays_of(std::move(loaded.mesh));
   return py::make_tuple(vertices, faces, arrays_of(std::move(loaded.properties.of_vertices)),
-                        arrays_of(std::move(loaded.properties.of_triangles)));
+                        arrays_of(std::move(loaded.properties.of_triangles)),
+                        corners_of(std::move(loaded.properties.corner_values)));
 }
 
 void write_arrays(const std::filesystem::path& path, const NumberArray& vertices,
-                  const IdArray& faces, const py::dict& of_vertices, const py::dict& of_triangles) {
+                  const IdArray& faces, const py::dict& of_vertices, const py::dict& of_triangles,
+                  const std::optional<IdArray>& corner_values) {
   const Mesh mesh = mesh_of(vertices, faces);
-  const Properties properties{properties_of(of_vertices), properties_of(of_triangles), {}};
+  Properties properties{properties_of(of_vertices), properties_of(of_triangles), {}};
+  if (corner_values) properties.corner_values = mesh_of(vertices, *corner_values).triangles;
   const py::gil_scoped_release working;
   geolloyd::write(path, mesh, properties);
 }
@@ -87,9 +106,9 @@ py::tuple generate(const std::string& shape, std::size_t triangles, std::uint64_
 
 void bind_files(py::module_& module) {
   module.def("has_mesh_name", &has_mesh_name, py::arg("path"));
-  module.def("read", &read_arrays, py::arg("path"));
+  module.def("read", &read_arrays, py::arg("path"), py::arg("weld"));
   module.def("write", &write_arrays, py::arg("path"), py::arg("vertices"), py::arg("faces"),
-             py::arg("of_vertices"), py::arg("of_triangles"));
+             py::arg("of_vertices"), py::arg("of_triangles"), py::arg("corner_values"));
   module.def("generate", &generate, py::arg("shape"), py::arg("triangles"), py::arg("random_seed"));
 }
 

@@ -42,6 +42,14 @@ py::list trials_of(const std::vector<ToleranceTrial>& trials) {
   return list;
 }
 
+py::list warnings_of(const std::vector<RemeshWarning>& warnings) {
+  py::list list;
+  for (const RemeshWarning& warning : warnings) {
+    list.append(py::dict(py::arg("kind") = name_of(warning.flaw), py::arg("text") = warning.text));
+  }
+  return list;
+}
+
 py::list trace_of(const std::vector<SurfaceStep>& steps) {
   py::list list;
   for (const SurfaceStep& step : steps) {
@@ -72,11 +80,14 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["small_features_limited"] = remesh.small_features_limited;
   report["edges_flipped"] = remesh.edges_flipped;
   report["vertices_fitted"] = remesh.vertices_fitted;
+  report["distance_before_fit"] = remesh.distance_before_fit;
+  report["distance_after_fit"] = remesh.distance_after_fit;
   report["closed_ball_violations_left"] = remesh.violations_left;
   report["interrupted"] = remesh.interrupted;
   report["iterations"] = remesh.steps.size();
   report["energy"] = remesh.energy;
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
+  report["warnings"] = warnings_of(remesh.warnings);
   report["trials"] = trials_of(made.trials);
   report["trace"] = trace_of(remesh.steps);
   return report;

@@ -33,7 +33,7 @@ Colour SurfaceColours::at(const Scene& scene, std::size_t sample, const Colour& 
   if (!of_triangles.empty()) return of_triangles[hit.triangle];
   if (of_vertices.empty()) return plain;
   const std::array<double, 3> weight = {1 - hit.u - hit.v, hit.u, hit.v};
-  const Triangle& corner = scene.mesh.triangles[hit.triangle];
+  const Triangle& corner = (corners.empty() ? scene.mesh.triangles : corners)[hit.triangle];
   Colour colour{};
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0;
@@ -46,6 +46,7 @@ Colour SurfaceColours::at(const Scene& scene, std::size_t sample, const Colour& 
 SurfaceColours colours_of(const Properties& properties) {
   SurfaceColours colours;
   colours.of_vertices = colours_of(properties.of_vertices);
+  if (!colours.of_vertices.empty()) colours.corners = properties.corner_values;
   if (colours.of_vertices.empty()) colours.of_triangles = colours_of(properties.of_triangles);
   return colours;
 }

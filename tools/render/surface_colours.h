@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/mesh/mesh.h"
 #include "geolloyd/properties.h"
 #include "tools/render/labels.h"
 #include "tools/render/scene.h"
@@ -13,6 +14,8 @@ namespace geolloyd {
 struct SurfaceColours {
   std::vector<Colour> of_vertices;
   std::vector<Colour> of_triangles;
+  std::vector<Triangle> corners =
+      {};  ///< the vertices whose colours triangles have, unless their own
 
   /// What a sample of a scene with this mesh shows; `plain` where there are no colours.
   [[nodiscard]] Colour at(const Scene& scene, std::size_t sample, const Colour& plain) const;

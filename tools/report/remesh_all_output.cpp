@@ -12,9 +12,18 @@
 #include "tools/system/build_facts.h"
 #include "tools/system/interrupt.h"
 #include "tools/words/facts_text.h"
+#include "tools/words/warnings_text.h"
 
 namespace geolloyd {
 namespace {
+
+std::string joined(const std::vector<RemeshWarning>& warnings) {
+  std::string text;
+  for (const RemeshWarning& warning : warnings) {
+    text += (text.empty() ? "" : "; ") + warning.text;
+  }
+  return text;
+}
 
 // Of a mesh that has no remesh all figures are null.
 Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
@@ -25,6 +34,7 @@ Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
     row[key] = nullptr;
   }
   row["seconds"] = seconds;
+  row["warnings"] = nullptr;
   row["error"] = nullptr;
   if (done == nullptr) return row;
   const Remesh& remesh = done->result.made.remesh;
@@ -43,6 +53,7 @@ Json row_of(const RemeshTask& task, const RemeshedInput* done, double seconds) {
     row["largest_distance_percent"] = 100 * figures.distance->largest / facts.bounding_diagonal;
   }
   row["fingerprint"] = fingerprint_text(remesh.fingerprint);
+  if (!remesh.warnings.empty()) row["warnings"] = joined(remesh.warnings);
   return row;
 }
 
@@ -53,10 +64,20 @@ RemeshRecord::RemeshRecord(const std::vector<RemeshTask>& tasks, std::filesystem
     : tasks_(tasks),
       folder_(std::move(folder)),
       options_(std::move(options)),
-      rows_(tasks.size()) {}
+      rows_(tasks.size()),
+      warnings_(tasks.size()) {}
 
 void RemeshRecord::add(std::size_t task, const RemeshedInput& done) {
   add_row(task, row_of(tasks_[task], &done, done.result.total_seconds));
+  const std::lock_guard lock(mutex_);
+  warnings_[task] =
+      lines_of_warnings(done.result.made.remesh.warnings, tasks_[task].input.string());
+}
+
+std::string RemeshRecord::warnings() const {
+  std::string lines;
+  for (const std::string& of_task : warnings_) lines += of_task;
+  return lines;
 }
 
 void RemeshRecord::add_failure(std::size_t task, std::string error, double seconds) {

@@ -42,6 +42,8 @@ class RemeshRecord {
   [[nodiscard]] Json result() const;
   /// For people: what came of it, and each failure in a line.
   [[nodiscard]] std::string summary() const;
+  /// Of all meshes, in their order, a line each.
+  [[nodiscard]] std::string warnings() const;
 
  private:
   void add_row(std::size_t task, Json row);
@@ -49,7 +51,8 @@ class RemeshRecord {
   const std::vector<RemeshTask>& tasks_;
   std::filesystem::path folder_;
   Json options_;
-  std::vector<Json> rows_;  // null: not done
+  std::vector<Json> rows_;             // null: not done
+  std::vector<std::string> warnings_;  // lines
   std::size_t done_ = 0;
   std::size_t failed_ = 0;
   std::mutex mutex_;

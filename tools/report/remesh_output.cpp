@@ -212,6 +212,8 @@ Json remesh_part(const Remesh& remesh) {
           {"small_features_limited", remesh.small_features_limited},
           {"edges_flipped", remesh.edges_flipped},
           {"vertices_fitted", remesh.vertices_fitted},
+          {"distance_before_fit", remesh.distance_before_fit},
+          {"distance_after_fit", remesh.distance_after_fit},
           {"is_manifold", remesh.is_manifold()},
           {"has_input_topology", remesh.has_input_topology()},
           {"input_is_manifold", remesh.vertices_cut == 0},
@@ -244,6 +246,14 @@ Json seconds_part(const LoadedInput& loaded, const RemeshResult& result) {
           {"prepare", remesh.prepare},     {"move", remesh.move},
           {"assemble", remesh.assemble},   {"judge", result.judge_seconds},
           {"write", result.write_seconds}, {"total", result.total_seconds}};
+}
+
+Json warnings_part(const Remesh& remesh) {
+  Json part = Json::array();
+  for (const RemeshWarning& warning : remesh.warnings) {
+    part.push_back({{"kind", name_of(warning.flaw)}, {"text", warning.text}});
+  }
+  return part;
 }
 
 Json trace_part(const Remesh& remesh) {
@@ -290,6 +300,7 @@ std::string remesh_report(const RemeshRequest& request, const RemeshedInput& don
   report["repairs"] = repairs_part(input.repairs);
   report["options"] = remesh_options_part(request, result.workers);
   report["interrupted"] = remesh.interrupted;
+  report["warnings"] = warnings_part(remesh);
   report["trials"] = trials_part(result.trials);
   report["iterations"] = remesh.steps.size();
   report["energy"] = remesh.energy;
@@ -340,6 +351,7 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
           {"fixed", request.fixed_file.string()},
           {"fit", options.fit},
           {"drop", !request.carries_properties},
+          {"weld", request.reading.weld},
           {"engine", name_of(engine_names, workers.engine)},
           {"threads", workers.threads},
           {"backend", backend_part(workers.engine, workers.backend)}};

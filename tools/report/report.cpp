@@ -50,6 +50,7 @@ Json options_part(const RelaxFacts& facts, const Result& result) {
   part.update(options_part(facts.request, facts.options, result.regions.size()));
   part["repair"] = facts.request.repair.has_value();
   part["fill_holes"] = fill_holes_part(facts.request.repair);
+  part["weld"] = facts.request.reading.weld;
   part["drop"] = !facts.request.has_properties;
   part["manifold"] = facts.dual.manifold;
   part["dual_vertices"] = name_of(dual_vertices_names, facts.dual.vertices);

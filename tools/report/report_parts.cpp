@@ -57,6 +57,7 @@ Json mesh_part(const Input& input) {
           {"triangles", facts.triangles},
           {"polygons_split", input.loaded.polygon_count},
           {"corners_welded", input.loaded.welded_corners},
+          {"vertices_welded", input.loaded.welded_vertices},
           {"unreferenced_vertices", facts.unreferenced_vertices},
           {"repeated_vertex_triangles", facts.repeated_vertex_triangles},
           {"zero_area_triangles", facts.zero_area_triangles},

@@ -42,7 +42,7 @@ struct MeshBytes {
 
 bool is_readable_without_properties(const MeshBytes& file, const ReadOptions& options) {
   try {
-    (void)file.parse({false, options.most_bytes});
+    (void)file.parse({false, options.most_bytes, options.weld});
     return true;
   } catch (const Error&) {
     return false;
@@ -61,7 +61,7 @@ LoadedMesh parse(const MeshBytes& file, const ReadOptions& options) {
 }  // namespace
 
 LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOptions& options) {
-  const MeshFormat format = format_of_input(file, options.format);
+  const MeshFormat format = format_of_input(file, options.reading.format);
   const bool is_file = file != standard_input;
   const std::string name = is_file ? file.string() : "standard input";
   std::error_code unknown;  // is for the reader to tell
@@ -71,9 +71,20 @@ LoadedMesh read_within_limits(const std::filesystem::path& file, const InputOpti
   bytes = unpack(std::move(bytes), name, allowed_memory());
   const std::filesystem::path folder = file.parent_path();
   LoadedMesh loaded = parse({format, std::move(bytes), name, is_file ? &folder : nullptr},
-                            {options.properties, allowed_memory()});
+                            {options.properties, allowed_memory(), options.reading.weld});
   require_memory(name, bytes_to_read(size_of(loaded)));
   return loaded;
+}
+
+MeshFacts find_facts(const LoadedMesh& loaded, const MeshEdges& edges, Executor& executor) {
+  MeshFacts facts = check_mesh(loaded.mesh, edges, executor);
+  if (!loaded.welded_to.empty()) facts.unreferenced_vertices -= loaded.welded_vertices;
+  return facts;
+}
+
+Repairs without_welded(Repairs repairs, const LoadedMesh& loaded) {
+  repairs.unused_vertices -= loaded.welded_vertices;
+  return repairs;
 }
 
 LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
@@ -81,6 +92,7 @@ LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
   LoadedInput loaded;
   const Stopwatch watch;
   loaded.input.file = file;
+  loaded.input.reading = options.reading;
   loaded.input.loaded = read_within_limits(file, options);
   if (repair) {
     Mesh& given = loaded.input.loaded.mesh;
@@ -90,13 +102,14 @@ LoadedInput load_input(const std::filesystem::path& file, Executor& executor,
     properties =
         follow_origins(properties, repaired.mesh, repaired.vertex_origin, repaired.triangle_origin);
     given = std::move(repaired.mesh);
-    loaded.input.repairs = repaired.repairs;
+    loaded.input.repairs = without_welded(repaired.repairs, loaded.input.loaded);
+    loaded.input.loaded.welded_to.clear();  // vertices have other numbers now
   }
   const Mesh& mesh = loaded.input.mesh();
   const Stopwatch finding;
   loaded.edges = find_edges(mesh, executor);
   loaded.edge_seconds = finding.seconds();
-  loaded.input.facts = check_mesh(mesh, loaded.edges, executor);
+  loaded.input.facts = find_facts(loaded.input.loaded, loaded.edges, executor);
   loaded.seconds = watch.seconds() - loaded.edge_seconds;
   return loaded;
 }

@@ -14,10 +14,10 @@
 namespace geolloyd {
 namespace {
 
-MeshEdges load(const std::filesystem::path& file, std::optional<MeshFormat> format,
-               JudgedMesh& mesh, Executor& executor, ProgressLine& progress) {
+MeshEdges load(const std::filesystem::path& file, const MeshReading& reading, JudgedMesh& mesh,
+               Executor& executor, ProgressLine& progress) {
   progress.stage("reading " + file.string());
-  LoadedInput loaded = load_input(file, executor, {false, format});
+  LoadedInput loaded = load_input(file, executor, {false, reading});
   mesh.input = std::move(loaded.input);
   mesh.topology = find_topology(mesh.input.mesh(), loaded.edges);
   return std::move(loaded.edges);
@@ -33,7 +33,7 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
              Runtime& runtime, ProgressLine& progress) {
   Executor& executor = runtime.executor();
   JudgedMesh& original = record.original.emplace();
-  const MeshEdges edges = load(input.original, input.format, original, executor, progress);
+  const MeshEdges edges = load(input.original, input.reading, original, executor, progress);
   WorkSize size = size_of(original.input.loaded);
   size.has_field = !input.field.vfield.empty();
   progress.announce_memory(input.original.string(),
@@ -56,7 +56,7 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
 QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& progress) {
   QualityRecord record;
   const MeshEdges edges =
-      load(input.remesh, input.format, record.remesh, runtime.executor(), progress);
+      load(input.remesh, input.reading, record.remesh, runtime.executor(), progress);
   record.quality = measure_quality(record.remesh.input.mesh(), edges);
   if (input.original.empty()) {
     progress.announce_memory(input.remesh.string(),

@@ -33,10 +33,10 @@ struct QualityRecord {
 /// What is judged, and by what.
 struct QualityInput {
   std::filesystem::path remesh;
-  std::filesystem::path original;         ///< empty: the remesh is judged alone
-  FieldSource field;                      ///< of the original
-  std::size_t samples = 0;                ///< on each of the two
-  std::optional<MeshFormat> format = {};  ///< of a mesh whose name does not tell it
+  std::filesystem::path original;  ///< empty: the remesh is judged alone
+  FieldSource field;               ///< of the original
+  std::size_t samples = 0;         ///< on each of the two
+  MeshReading reading = {};        ///< of both
 };
 
 /// Throws Error.

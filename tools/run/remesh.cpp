@@ -18,7 +18,7 @@ LoadedInput load_surface(const RemeshRequest& request, Executor& executor, Progr
   progress.stage("reading " + request.mesh.string());
   LoadedInput loaded = load_input(
       request.mesh, executor,
-      {request.carries_properties || !request.labels.empty(), request.format}, request.repair);
+      {request.carries_properties || !request.labels.empty(), request.reading}, request.repair);
   if (!(loaded.input.facts.area > 0)) {
     throw InvalidInput(request.mesh.string() + ": no triangle with an area, so nothing to remesh");
   }
@@ -28,6 +28,7 @@ LoadedInput load_surface(const RemeshRequest& request, Executor& executor, Progr
 RemeshOptions read_options(const RemeshRequest& request, const LoadedInput& loaded,
                            Executor& executor) {
   const Mesh& mesh = loaded.input.mesh();
+  const std::vector<VertexId>& welded_to = loaded.input.loaded.welded_to;
   RemeshOptions options = request.options;
   const auto values_in = [&](const std::filesystem::path& file) {
     if (file.empty()) return std::vector<double>();
@@ -37,12 +38,12 @@ RemeshOptions read_options(const RemeshRequest& request, const LoadedInput& load
   options.sizing.densities = values_in(request.densities_file);
   options.field = find_field(request.field, mesh, loaded.edges, executor);
   if (!request.edges_file.empty()) {
-    options.features.edges = parse_edge_list(read_file(request.edges_file),
-                                             request.edges_file.string(), mesh, loaded.edges);
+    options.features.edges = parse_edge_list(
+        read_file(request.edges_file), request.edges_file.string(), mesh, loaded.edges, welded_to);
   }
   if (!request.fixed_file.empty()) {
-    options.features.fixed_vertices =
-        parse_vertex_list(read_file(request.fixed_file), request.fixed_file.string(), mesh);
+    options.features.fixed_vertices = parse_vertex_list(
+        read_file(request.fixed_file), request.fixed_file.string(), mesh, welded_to);
   }
   if (!request.labels.empty()) {
     options.features.groups = label_groups(mesh, loaded.input.loaded.properties, request.labels);

@@ -40,7 +40,7 @@ PreparedInput prepare(const RunRequest& request, const RunWork& work, Runtime& r
   Executor& executor = runtime.executor();
   progress.stage("reading " + request.mesh.string());
   LoadedInput loaded =
-      load_input(request.mesh, executor, {request.has_properties, request.format}, request.repair);
+      load_input(request.mesh, executor, {request.has_properties, request.reading}, request.repair);
   const Mesh& mesh = loaded.input.mesh();
   SeedPlan seeds = request.seeds;
   std::optional<SeedSource> source;
@@ -62,6 +62,7 @@ PreparedInput prepare(const RunRequest& request, const RunWork& work, Runtime& r
   const Stopwatch finding;
   RunPlan plan{graph_options(request.graph, mesh, loaded.edges, executor), std::move(seeds),
                work.has_dual};
+  plan.graph.welded_to = loaded.input.loaded.welded_to;
   const double edge_and_field_seconds = loaded.edge_seconds + finding.seconds();
   PreparedInput prepared{
       geolloyd::prepare(mesh, std::move(loaded.edges), plan, runtime, hooks), {}, 0, 0};

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/course/prepared_run.h"
-#include "core/formats/mesh_formats.h"
 #include "core/lloyd/engine.h"
 #include "geolloyd/repair.h"
 #include "geolloyd/runtime.h"
 #include "parallel/threads/scheduler.h"
+#include "tools/files/mesh_reading.h"
 #include "tools/render/view.h"
 #include "tools/run/input.h"
 #include "tools/system/progress.h"
@@ -24,7 +24,7 @@ namespace geolloyd {
 /// What a run is of.
 struct RunRequest {
   std::filesystem::path mesh;
-  std::optional<MeshFormat> format;     ///< where the name of the mesh does not tell it
+  MeshReading reading;
   std::optional<RepairOptions> repair;  ///< empty: the mesh stays as it is
   bool has_properties = false;          ///< those of the mesh are read, too
   GraphPlan graph;

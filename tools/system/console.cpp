@@ -44,4 +44,10 @@ void Console::print_json(const std::string& text) const {
   }
 }
 
+void tell_warnings(const std::string& lines, bool is_strict, const Console& console) {
+  if (console.wants_json() || (console.is_silent() && !is_strict)) return;
+  std::fflush(stdout);
+  std::fputs(lines.c_str(), stderr);
+}
+
 }  // namespace geolloyd

@@ -24,4 +24,8 @@ class Console {
   int standard_output_ = -1;  // where stdout led to, once that is silent for the sake of JSON
 };
 
+/// Prints lines on standard error, after what stands on standard output. Not where JSON is wanted,
+/// which has them, nor where errors alone are, unless the warnings are errors (`is_strict`).
+void tell_warnings(const std::string& lines, bool is_strict, const Console& console);
+
 }  // namespace geolloyd

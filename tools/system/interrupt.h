@@ -23,4 +23,8 @@ bool interrupted();
 /// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.
 struct InterruptedExit {};
 
+/// Thrown by a command whose results are there, but bad, where --strict was given: exit status 3,
+/// nothing printed.
+struct WarnedExit {};
+
 }  // namespace geolloyd

@@ -47,6 +47,7 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
   };
   text += finding(input.polygon_count, "polygons: split into triangles");
   text += finding(input.welded_corners, "repeated corners: welded");
+  text += finding(input.welded_vertices, "vertices in the places of others: welded");
   found(facts.unreferenced_vertices, "vertices of no triangle", ": get no region", ": left out");
   found(facts.repeated_vertex_triangles, "triangles naming a vertex twice", ": get no region",
         ": left out");

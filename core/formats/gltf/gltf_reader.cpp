@@ -109,10 +109,16 @@ class GltfReader {
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         if (!is_usable(world[axis])) document_.fail(accessor.what(), bad_coordinate(world[axis]));
       }
-      ids.push_back(welder_.id_of({world[0], world[1], world[2]}));
+      ids.push_back(add_vertex({world[0], world[1], world[2]}));
     }
     if (options_.properties) add_properties(attributes, what, instance, ids);
     return ids;
+  }
+
+  VertexId add_vertex(const Vec3& position) {
+    if (options_.weld) return welder_.id_of(position);
+    loaded_.mesh.positions.push_back(position);
+    return static_cast<VertexId>(loaded_.mesh.vertex_count() - 1);
   }
 
   void add_properties(const json& attributes, const std::string& what, const GltfInstance& instance,

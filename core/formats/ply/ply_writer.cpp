@@ -131,10 +131,11 @@ void write_ply(FileWriter& out, const Mesh& mesh, const Row& of_vertex, const Ro
 void write_labelled_ply(FileWriter& out, const Mesh& mesh, std::span<const Label> vertex_label,
                         std::span<const Label> triangle_label, const Properties& properties) {
   const Row of_triangle(triangle_label, properties.of_triangles);
+  const std::span<const Triangle> corners = value_triangles(mesh, properties);
   write_ply(out, mesh, Row(vertex_label, properties.of_vertices), of_triangle,
             mesh.triangle_count(), [&](std::size_t t) {
               out.raw(std::uint8_t{3});
-              for (const VertexId vertex : mesh.triangles[t]) out.raw(vertex);
+              for (const VertexId vertex : corners[t]) out.raw(vertex);
               of_triangle.write(out, t);
             });
 }

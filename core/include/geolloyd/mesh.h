@@ -37,13 +37,18 @@ struct LoadedMesh {
   Mesh mesh;
   std::string format;              ///< for people: "PLY, binary little endian"
   std::size_t polygon_count = 0;   ///< faces of four and more corners, split into triangles
-  std::size_t welded_corners = 0;  ///< STL only: corners that fell on an earlier one
-  Properties properties;           ///< if they were asked for
+  std::size_t welded_corners = 0;  ///< STL and glTF: corners that fell on an earlier one
+  /// Per vertex: the one that stands for it in all triangles, itself or one in the same place.
+  /// Empty: none was welded.
+  std::vector<VertexId> welded_to = {};
+  std::size_t welded_vertices = 0;  ///< that are another one now
+  Properties properties;            ///< if they were asked for
 };
 
 struct ReadOptions {
   bool properties = false;  ///< read them, too: they may take more memory than the mesh
   std::uint64_t most_bytes = std::numeric_limits<std::uint64_t>::max();  ///< of an unpacked file
+  bool weld = true;  ///< vertices that are split in the file: see read
 };
 
 /// Reads PLY, OBJ, OFF/COFF, STL, GLB, glTF, Gmsh or medit, told by the extension, also packed by
@@ -54,6 +59,12 @@ struct ReadOptions {
 /// where the file cannot be read, InvalidInput where it cannot be used (syntax, non-finite or
 /// over-large coordinate, index out of range, no triangles), naming file and line or byte offset.
 /// Never takes memory that the size of the file does not warrant.
+///
+/// Many files have a vertex several times, once for each normal or texture coordinate at it. Such
+/// vertices, whose places are the same to the bit, are welded: triangles name the first of them.
+/// All vertices stay, with their numbers, those that nothing names any more as well. Welded are the
+/// ends of two boundary edges in the same place, so surfaces that merely touch stay apart
+/// (core/seams/stitching.h). Vertices of STL and glTF have one number per place. STL always has.
 ///
 /// Properties are the numbers of a PLY file's vertices and faces, OBJ's colours, texture
 /// coordinates and normals where a vertex has the same in all faces, and its groups and materials

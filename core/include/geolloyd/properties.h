@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "geolloyd/types.h"
 
 namespace geolloyd {
 
@@ -27,6 +30,9 @@ struct Properties {
   std::vector<Property> of_vertices;   ///< each has a value per vertex
   std::vector<Property> of_triangles;  ///< each has a value per triangle
   std::vector<std::string> left_out;   ///< what a file has besides, and why it is not here
+  /// Per triangle: the vertices whose values its corners have, where those of welded vertices
+  /// differ. Empty: its own.
+  std::vector<std::array<VertexId, 3>> corner_values = {};
 
   [[nodiscard]] bool empty() const { return of_vertices.empty() && of_triangles.empty(); }
 };

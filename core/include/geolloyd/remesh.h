@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "geolloyd/choices.h"
@@ -108,6 +109,26 @@ struct SurfaceStep {
   double seconds = 0;             ///< from the start of the first one to its end
 };
 
+/// What may be bad about a remesh.
+enum class RemeshFlaw {
+  vertices,        ///< many more than asked for
+  topology,        ///< no manifold, or not of the input's topology
+  volume,          ///< another one inside than inside the input, where both are closed
+  fit,             ///< could bring the remesh hardly closer
+  features,        ///< the input has long sharp edges, and none are kept
+  split_vertices,  ///< of the input: where they are, its surface is not joined
+  small_parts,     ///< of the input: smaller than a triangle of the remesh
+  limit            ///< the input was not cut as finely as it should be
+};
+
+/// "vertices" and so on, for scripts.
+const char* name_of(RemeshFlaw flaw);
+
+struct RemeshWarning {
+  RemeshFlaw flaw;
+  std::string text;  ///< for people: one line, with the figures
+};
+
 /// A remesh whose vertices stand for points of the surface of the mesh, anywhere, and are there
 /// unless they were fitted.
 struct Remesh {
@@ -130,10 +151,18 @@ struct Remesh {
                                             ///< ascending
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
   std::size_t vertices_fitted = 0;          ///< moved off the surface
-  std::size_t vertices_cut = 0;             ///< of the input: where it is no manifold
-  double small_feature_share = 0;           ///< of the vertices: those that shorter edges at small
-                                            ///< features took
-  bool small_features_limited = false;      ///< these would have taken more than they may
+  double distance_before_fit = 0;  ///< from points of the input to the remesh: root of the mean
+                                   ///< square, mesh units; 0 without a fit
+  double distance_after_fit = 0;
+  std::size_t vertices_cut = 0;         ///< of the input: where it is no manifold
+  double small_feature_share = 0;       ///< of the vertices: those that shorter edges at small
+                                        ///< features took
+  bool small_features_limited = false;  ///< these would have taken more than they may
+  std::size_t small_parts = 0;  ///< of the input: smaller than a triangle of the remesh; none are
+                                ///< counted where edge lengths vary
+  bool was_cut_short = false;   ///< edges of the input were not halved any more at the limit
+  std::vector<RemeshWarning>
+      warnings;                     ///< what is bad, if anything (core/course/remesh_warnings.h)
   std::size_t violations_left = 0;  ///< of the closed ball property; 0: the topology is proven
   std::uint64_t fingerprint = 0;    ///< of the whole course; the same on every machine
 

@@ -39,10 +39,7 @@ class CreaseFinder {
     creases_ = pack_indices(executor_, angles_.edges().size(), [&](std::size_t e) {
       return angles_.is_as_sharp(static_cast<EdgeId>(e), rule_.cosine);
     });
-    if (rule_.needs_flat_side) {
-      sharp_ = creases_;
-      judge_chains();
-    }
+    if (rule_.needs_flat_side) judge_chains();
     judge_components();
     cut_loose_ends(
         angles_, [&](double length, std::size_t edges) { return is_short(length, edges); },
@@ -68,7 +65,11 @@ class CreaseFinder {
     });
     std::vector<CreaseChain> flat;
     for (std::size_t c = 0; c < chains.size(); ++c) {
-      if (is_flat[c] != 0) flat.push_back(std::move(chains[c]));
+      if (is_flat[c] != 0) {
+        flat.push_back(std::move(chains[c]));
+      } else {
+        rejected_.insert(rejected_.end(), chains[c].begin(), chains[c].end());
+      }
     }
     constexpr double narrow = 0.25;
     drop_close_chains(angles_, narrow * spacing_, flat);
@@ -153,10 +154,11 @@ class CreaseFinder {
     double length = 0;
     std::size_t edges = 0;
     std::size_t loose_ends = 0;
-    std::size_t sharp_ends = 0;  // of all sharp edges at its vertices
+    std::size_t rejected = 0;  // ends of sharp edges that are no creases, at its vertices
   };
 
-  // Drops those that are too short, and those at which most sharp edges were no creases.
+  // Drops those that are too short, and those that chance makes of noise: many sharp edges at them
+  // are no creases, or any are at a small one.
   void judge_components() {
     const auto& ends = angles_.edges().ends;
     const std::size_t vertices = angles_.mesh().vertex_count();
@@ -173,17 +175,17 @@ class CreaseFinder {
       ++of.edges;
       for (const VertexId v : ends[e]) of.loose_ends += degree[v] == 1 ? 1 : 0;
     }
-    for (const EdgeId e : sharp_) {
+    for (const EdgeId e : rejected_) {
       for (const VertexId v : ends[e]) {
-        if (degree[v] > 0) ++component[sets.find(v)].sharp_ends;
+        if (degree[v] > 0) ++component[sets.find(v)].rejected;
       }
     }
     std::erase_if(creases_, [&](EdgeId e) {
       const Component& of = component[sets.find(ends[e][0])];
       const double least = of.loose_ends > 0 ? rule_.least_length : rule_.least_closed;
-      constexpr double most_share = 0.75;
-      return of.length < least || of.edges < rule_.least_edges ||
-             2 * static_cast<double>(of.edges) < most_share * static_cast<double>(of.sharp_ends);
+      constexpr std::size_t few = 16;
+      const std::size_t most_rejected = of.edges < few ? 0 : of.edges / 2;
+      return of.length < least || of.edges < rule_.least_edges || of.rejected > most_rejected;
     });
   }
 
@@ -192,8 +194,8 @@ class CreaseFinder {
   double spacing_;
   Executor& executor_;
   std::vector<EdgeId> creases_;
-  std::vector<EdgeId> sharp_;  // which were looked at, where they were judged
-  std::vector<Bends> bends_;   // per vertex, of those on creases
+  std::vector<EdgeId> rejected_;  // sharp, but no creases
+  std::vector<Bends> bends_;      // per vertex, of those on creases
 };
 
 std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,

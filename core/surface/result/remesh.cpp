@@ -121,17 +121,41 @@ class Remesher {
     measure_energy(result);
     find_edge_lengths(result);
     if (options_.fit && result.is_manifold()) {
-      result.vertices_fitted = fit_to_surface(input_, dualised_.state.labels, sites.on_curves,
-                                              shape, result.mesh, executor_)
-                                   .moved;
+      fit(shape, result);
     }
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
     result.small_feature_share = sized_.small.share;
     result.small_features_limited = sized_.small.is_limited;
+    result.was_cut_short = input_.was_cut_short;
+    if (sizing_.sizes.empty()) result.small_parts = count_small_parts();
     result.violations_left = dualised_.dual.violations.size();
     result.fingerprint = fingerprint_with(result.mesh);
     return result;
+  }
+
+  // A remesh has about twice as many triangles as vertices.
+  [[nodiscard]] std::size_t count_small_parts() const {
+    if (input_.parts < 2) return 0;
+    std::vector<double> area(input_.parts, 0);
+    for (TriangleId t = 0; t < input_.fine.triangle_count(); ++t) {
+      area[input_.part[input_.fine.triangles[t][0]]] += input_.fine.area(t);
+    }
+    const double least = input_.fine.whole_area / (2 * static_cast<double>(count_));
+    return static_cast<std::size_t>(
+        std::count_if(area.begin(), area.end(), [&](double a) { return a < least; }));
+  }
+
+  void fit(std::span<const Metric> shape, Remesh& result) const {
+    const FitResult fit =
+        fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
+                       result.mesh, executor_);
+    const auto distance = [&](const FitError& error) {
+      return std::sqrt(error.sum_of_squares / input_.fine.whole_area) / input_.frame.scale;
+    };
+    result.vertices_fitted = fit.moved;
+    result.distance_before_fit = distance(fit.before);
+    result.distance_after_fit = distance(fit.moved > 0 ? fit.after : fit.before);
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {
@@ -221,13 +245,14 @@ class SurfaceSizer {
       input = make_input(sizing, count_at(sizing.spacing));
     }
     SmallFeatures small;
-    if (options_.features.small && !input.has_flips) {
+    if (options_.features.small) {
       small =
           find_small_features(input, sizing.spacing * input.frame.scale, growth_at_small_features);
     }
     if (!small.sizes.empty()) {
+      const SurfaceInputOptions made = input_options(sizing, count_at(sizing.spacing));
       input = with_sizes(std::move(input), std::move(small.sizes),
-                         input_options(sizing, count_at(sizing.spacing)), executor_);
+                         made.longest_edge * input.frame.scale, made.vertex_limit, executor_);
     }
     return {std::move(input), std::move(small), std::move(sizing), std::move(shape_)};
   }

@@ -1,14 +1,15 @@
 #include "core/surface/substrate/surface_input.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/bucketing.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/sorting.h"
-#include "core/mesh/cut_apart.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/spatial_order.h"
+#include "core/seams/cut_apart.h"
 #include "core/surface/substrate/split_edges.h"
 #include "core/surface/substrate/split_needles.h"
 
@@ -206,6 +207,26 @@ class SurfaceInputBuilder {
   SurfaceInput result_;
 };
 
+// Ascending.
+std::vector<TrianglePair> triangles_at_features(const SurfaceInput& input) {
+  std::vector<TriangleId> one(input.feature_edges.size(), no_id);  // per feature edge
+  std::vector<TrianglePair> pairs;
+  for (TriangleId t = 0; t < input.fine.triangle_count(); ++t) {
+    const Triangle& corners = input.fine.triangles[t];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto edge = ascending(corners[c], corners[(c + 1) % 3]);
+      const auto at =
+          std::lower_bound(input.feature_edges.begin(), input.feature_edges.end(), edge);
+      if (at == input.feature_edges.end() || *at != edge) continue;
+      TriangleId& other = one[static_cast<std::size_t>(at - input.feature_edges.begin())];
+      if (other != no_id) pairs.push_back({other, t});
+      other = t;
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 }  // namespace
 
 SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
@@ -243,28 +264,34 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   std::vector<Vec3>& positions = usable.mesh.positions;
   parallel_for(executor, positions.size(), small_items,
                [&](std::size_t v) { positions[v] = frame.to_unit(positions[v]); });
+  const bool was_cut_short = options.longest_edge > 0 && positions.size() >= options.vertex_limit;
   SurfaceInput input =
       SurfaceInputBuilder(std::move(usable), options.features, options.fixed_vertices, executor)
           .run();
   input.frame = frame;
   input.vertices_cut = cut.vertices;
+  input.was_cut_short = was_cut_short;
   return input;
 }
 
-SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes,
-                        const SurfaceInputOptions& options, Executor& executor) {
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, double longest_edge,
+                        std::size_t vertex_limit, Executor& executor) {
+  // Pieces know the triangle of `input` they are of, so that edges along features are found again.
+  const std::vector<TrianglePair> features = triangles_at_features(input);
   UsableTriangles usable;
   usable.mesh.positions = std::move(input.fine.positions);
   usable.mesh.triangles = std::move(input.fine.triangles);
-  usable.origin = std::move(input.origin);
+  usable.origin.resize(usable.mesh.triangles.size());
+  std::iota(usable.origin.begin(), usable.origin.end(), TriangleId{0});
   usable.sizes = {std::move(sizes), std::move(input.fine.metric)};
-  split_long_edges(usable.mesh, usable.origin, usable.sizes,
-                   options.longest_edge * input.frame.scale, options.vertex_limit);
+  split_long_edges(usable.mesh, usable.origin, usable.sizes, longest_edge, vertex_limit);
   SurfaceInput resized =
-      SurfaceInputBuilder(std::move(usable), options.features, input.fixed_vertices, executor)
-          .run();
+      SurfaceInputBuilder(std::move(usable), features, input.fixed_vertices, executor).run();
+  for (TriangleId& t : resized.origin) t = input.origin[t];
   resized.frame = input.frame;
+  resized.has_flips = input.has_flips;
   resized.vertices_cut = input.vertices_cut;
+  resized.was_cut_short = input.was_cut_short;
   return resized;
 }
 

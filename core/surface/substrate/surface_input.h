@@ -39,6 +39,7 @@ struct SurfaceInput {
   std::vector<std::uint32_t> part;  ///< per vertex of `fine`: its connected part, by first vertex
   std::size_t parts = 0;
   std::size_t vertices_cut = 0;  ///< of the mesh: became several
+  bool was_cut_short = false;    ///< edges are left that are long: there were vertices enough
 };
 
 struct SurfaceInputOptions {
@@ -61,10 +62,9 @@ std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input);
 SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor = sequential());
 
-/// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are long
-/// for them. `options` are those that it was made with. Not of one with flips, whose features are
-/// no edges of the mesh.
-SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes,
-                        const SurfaceInputOptions& options, Executor& executor = sequential());
+/// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are
+/// longer than `longest_edge` (unit frame) times the smaller size of their ends.
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, double longest_edge,
+                        std::size_t vertex_limit, Executor& executor = sequential());
 
 }  // namespace geolloyd

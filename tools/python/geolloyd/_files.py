@@ -14,14 +14,17 @@ from ._results import Mesh
 _VECTORS = {"color": ("red", "green", "blue", "alpha"), "normal": ("nx", "ny", "nz"), "texture": ("s", "t")}
 
 
-def read(path: Union[str, "os.PathLike[str]"]) -> Mesh:
+def read(path: Union[str, "os.PathLike[str]"], *, weld: bool = True) -> Mesh:
     """Reads a mesh file, with its values per vertex and per face.
 
     Polygons become triangles. Values have the names of the file, but colours are ``color`` with 3 or 4 columns,
     normals ``normal``, and places in a texture ``texture``.
+
+    Many files have a vertex several times, once for each normal at it. ``weld``: faces name the first of those
+    whose places are the same to the bit. All vertices stay, with their numbers and values.
     """
-    vertices, faces, of_vertices, of_faces = _core.read(os.fspath(path))
-    return Mesh(vertices, faces, _joined(of_vertices), _joined(of_faces))
+    vertices, faces, of_vertices, of_faces, corner_values = _core.read(os.fspath(path), bool(weld))
+    return Mesh(vertices, faces, _joined(of_vertices), _joined(of_faces), corner_values)
 
 
 def write(path: Union[str, "os.PathLike[str]"], vertices: Any, faces: Optional[ArrayLike] = None, *,
@@ -39,7 +42,11 @@ def write(path: Union[str, "os.PathLike[str]"], vertices: Any, faces: Optional[A
     of_faces.update(face_values or {})
     for name, value in values.items():
         (of_vertices if np.shape(value)[:1] == (len(vertices),) else of_faces)[name] = value
-    _core.write(os.fspath(path), vertices, faces, _columns(of_vertices, len(vertices)), _columns(of_faces, len(faces)))
+    corner_values = own.corner_values if own else None
+    if corner_values is not None:
+        corner_values = np.ascontiguousarray(corner_values, np.int64)
+    _core.write(os.fspath(path), vertices, faces, _columns(of_vertices, len(vertices)), _columns(of_faces, len(faces)),
+                corner_values)
 
 
 def generate(shape: str, triangles: int = 1_000_000, *, random_seed: int = 1) -> Mesh:

@@ -17,6 +17,9 @@ class Mesh:
     faces: np.ndarray  #: (m, 3) int32, counter-clockwise seen from outside
     vertex_values: Dict[str, np.ndarray] = field(default_factory=dict)  #: by name, n rows each
     face_values: Dict[str, np.ndarray] = field(default_factory=dict)  #: by name, m rows each
+    #: (m, 3) int32: the rows of vertex_values that the corners of faces have, where read() welded vertices with
+    #: different values; else None: their own
+    corner_values: Optional[np.ndarray] = None
 
     def __iter__(self) -> Iterator[np.ndarray]:
         return iter((self.vertices, self.faces))
@@ -39,6 +42,11 @@ class Remesh(Mesh):
     seeds: Optional[np.ndarray] = None
     #: figures, with the names that the reports of the program have
     report: Dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def warnings(self) -> List[str]:
+        """What is bad about it, a line each; empty where nothing is. Their kinds are in the report."""
+        return [warning["text"] for warning in self.report.get("warnings", [])]
 
     @property
     def fingerprint(self) -> str:

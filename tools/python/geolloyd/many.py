@@ -63,7 +63,7 @@ def remesh_many(inputs: Union[Path, Iterable[Path]], output_folder: Path, *, exe
     Returns
     -------
     list of dict : a row per input, in their order: input, output, vertices, triangles, fingerprint, seconds,
-        sha256 and so on; ``error`` is None, or the sentence that says why there is no remesh
+        sha256 and so on; ``warnings`` are those of the remesh, ``error`` is None, or the sentence that says why there is no remesh
 
     The rows are also in ``manifest.jsonl``, one per line, as soon as they are known. A further call does what is
     missing: it leaves out what is done, with the same options and the same version, and whose file is unchanged.
@@ -172,7 +172,7 @@ def _sentence(error: BaseException) -> str:
 def _new_row(task: _Task) -> Row:
     return {"input": task.input, "output": task.output, "options": task.options, "version": version, "sha256": None,
             "bytes": None, "mtime_ns": None, "fingerprint": None, "vertices": None, "triangles": None, "seconds": None,
-            "error": None}
+            "warnings": None, "error": None}
 
 
 def _work(task: _Task, stop: Optional[threading.Event] = None) -> Optional[Row]:
@@ -189,7 +189,8 @@ def _work(task: _Task, stop: Optional[threading.Event] = None) -> Optional[Row]:
         if made.report["interrupted"]:
             return None
         write(task.output, made.vertices, made.faces)
-        row.update(fingerprint=made.fingerprint, vertices=len(made.vertices), triangles=len(made.faces))
+        row.update(fingerprint=made.fingerprint, vertices=len(made.vertices), triangles=len(made.faces),
+                   warnings=made.warnings)
     except MemoryError:
         row["error"] = f"{task.input}: out of memory"
     except (ValueError, OSError) as error:

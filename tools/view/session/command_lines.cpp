@@ -13,8 +13,9 @@ namespace {
 
 class CommandLine {
  public:
-  CommandLine(const char* command, const std::filesystem::path& mesh)
-      : text_(fmt::format("geolloyd {} {}", command, quoted(mesh.string()))) {}
+  CommandLine(const char* command, const Input& input)
+      : text_(fmt::format("geolloyd {} {}{}", command, quoted(input.file.string()),
+                          input.reading.weld ? "" : " --no-weld")) {}
 
   template <class Value>
   CommandLine& add(const char* option, const Value& value) {
@@ -79,7 +80,7 @@ std::string quoted(const std::string& word) {
 
 std::string relax_command_line(const SteppedTessellation& tessellation,
                                const std::filesystem::path& output) {
-  CommandLine line("relax", tessellation.start().input.file);
+  CommandLine line("relax", tessellation.start().input);
   add_seeds(line, tessellation, output);
   add_graph(line, tessellation.options().graph);
   const RelaxationOptions limits = tessellation.limits();
@@ -89,10 +90,10 @@ std::string relax_command_line(const SteppedTessellation& tessellation,
   return line.text();
 }
 
-std::string remesh_command_line(const std::filesystem::path& mesh, std::size_t vertices,
+std::string remesh_command_line(const Input& input, std::size_t vertices,
                                 const std::filesystem::path& field,
                                 const std::filesystem::path& output) {
-  CommandLine line("remesh", mesh);
+  CommandLine line("remesh", input);
   line.add("--vertices", vertices);
   if (!field.empty()) line.add("--vfield", field.string());
   line.add("--output", (output / remesh_name).string());

@@ -19,7 +19,7 @@ std::string relax_command_line(const SteppedTessellation& tessellation,
                                const std::filesystem::path& output);
 
 /// `remesh`, into remesh.ply.
-std::string remesh_command_line(const std::filesystem::path& mesh, std::size_t vertices,
+std::string remesh_command_line(const Input& input, std::size_t vertices,
                                 const std::filesystem::path& field,
                                 const std::filesystem::path& output);
 

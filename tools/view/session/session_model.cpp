@@ -210,8 +210,8 @@ Json SessionModel::remesh_part() const {
                {"iteration", r.progress.iteration},
                {"energy_ratio", number_or_null(r.progress.energy_ratio)},
                {"fingerprint", nullptr},
-               {"command_line", remesh_command_line(tessellation_.start().input.file, r.vertices,
-                                                    r.field, output_)}};
+               {"command_line",
+                remesh_command_line(tessellation_.start().input, r.vertices, r.field, output_)}};
   if (r.made && !r.made->interrupted) part["fingerprint"] = fingerprint_text(r.made->fingerprint);
   return part;
 }

@@ -103,6 +103,7 @@ void SteppedTessellation::rebuild(SessionOptions options, bool chooses_anew) {
   std::optional<Made> made;
   if (is_new) {
     MeshGraphOptions asked = graph_options(options.graph, mesh, edges_, runtime_.executor());
+    asked.welded_to = start_.input.loaded.welded_to;
     made.emplace();
     made->mesh_graph = make_mesh_graph(mesh, edges_, asked, runtime_.executor());
     made->field = std::move(asked.vertex_space);

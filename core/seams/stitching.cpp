@@ -1,10 +1,13 @@
-#include "core/repair/stitching.h"
+#include "core/seams/stitching.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/mesh/mesh_edges.h"
+#include "core/seams/places.h"
 
 namespace geolloyd {
 namespace {
@@ -17,9 +20,16 @@ struct PlacedEdge {
 
 using EdgePair = std::array<std::uint32_t, 2>;
 
+// What is stitched, and so what may come of it.
+enum class Seams {
+  cracks,  // of any mesh: no component gets more boundary loops than its parts had
+  splits   // vertices that a file has several times
+};
+
 class Stitcher {
  public:
-  explicit Stitcher(const Mesh& mesh) : mesh_(mesh), edges_(find_edges(mesh)) {}
+  Stitcher(const Mesh& mesh, Seams seams, std::vector<VertexId> place)
+      : mesh_(mesh), seams_(seams), edges_(find_edges(mesh)), place_(std::move(place)) {}
 
   /// Per vertex: that which it becomes.
   std::vector<VertexId> run() {
@@ -52,7 +62,6 @@ class Stitcher {
 
   // All edges whose ends are in places of the boundary, those in the same place beside each other.
   std::vector<PlacedEdge> edges_by_place() {
-    place_ = places_of(mesh_);
     std::vector<std::uint8_t> is_on_boundary(mesh_.vertex_count(), 0);
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
       if (!is_boundary(e)) continue;
@@ -102,10 +111,17 @@ class Stitcher {
 
   bool offer(std::uint32_t first, std::uint32_t second) {
     if (!is_boundary(first) || !is_boundary(second)) return false;
-    const TriangleId t = triangle_of(edges_.corners(first)[0]);
-    if (t == triangle_of(edges_.corners(second)[0])) return false;
+    const CornerId corner = edges_.corners(first)[0];
+    const CornerId other = edges_.corners(second)[0];
+    if (triangle_of(corner) == triangle_of(other)) return false;
+    if (seams_ == Seams::splits && lie_on_each_other(corner, other)) return false;
     pairs_.push_back({first, second});
     return true;
+  }
+
+  // Two triangles at one edge, as those of a sheet with a front and a back.
+  [[nodiscard]] bool lie_on_each_other(CornerId corner, CornerId other) const {
+    return place_[apex(mesh_, corner)] == place_[apex(mesh_, other)];
   }
 
   void join(const EdgePair& pair, DisjointSets& merged) const {
@@ -127,24 +143,46 @@ class Stitcher {
     return pairs_.size() < before;
   }
 
-  // Those of edges with three triangles, of triangles that name a vertex twice or are the same, and
-  // of components that have more loops.
   [[nodiscard]] std::vector<std::uint8_t> bad_vertices(const std::vector<VertexId>& name) const {
     Mesh made{{}, mesh_.triangles};
     made.positions.resize(mesh_.vertex_count());
     rename_vertices(made, name);
     const MeshEdges edges = find_edges(made);
     std::vector<std::uint8_t> is_bad(name.size(), 0);
-    const auto blame = [&](const auto& vertices) {
-      for (const VertexId v : vertices) is_bad[v] = 1;
-    };
+    blame_crowds(made, edges, is_bad);
+    if (seams_ == Seams::splits) return is_bad;
     for (const Triangle& t : made.triangles) {
-      if (!has_three_vertices(t)) blame(t);
+      if (has_three_vertices(t)) continue;
+      for (const VertexId v : t) is_bad[v] = 1;
     }
-    for (const TriangleId t : edges.duplicates) blame(made.triangles[t]);
+    blame_loops(made, edges, name, is_bad);
+    return is_bad;
+  }
+
+  // Where three triangles have come to meet at an edge, or two to have the same vertices.
+  void blame_crowds(const Mesh& made, const MeshEdges& edges,
+                    std::vector<std::uint8_t>& is_bad) const {
+    for (const TriangleId t : edges.duplicates) {
+      if (std::binary_search(edges_.duplicates.begin(), edges_.duplicates.end(), t)) continue;
+      for (const VertexId v : made.triangles[t]) is_bad[v] = 1;
+    }
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (edges.corners(e).size() > 2) blame(edges.ends[e]);
+      if (edges.corners(e).size() <= 2 || was_one_edge(edges.corners(e))) continue;
+      for (const VertexId v : edges.ends[e]) is_bad[v] = 1;
     }
+  }
+
+  [[nodiscard]] bool was_one_edge(std::span<const CornerId> corners) const {
+    const auto ends = [&](CornerId c) {
+      return ascending(edge_start(mesh_, c), edge_end(mesh_, c));
+    };
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](CornerId c) { return ends(c) == ends(corners[0]); });
+  }
+
+  // The components that have more loops.
+  void blame_loops(const Mesh& made, const MeshEdges& edges, const std::vector<VertexId>& name,
+                   std::vector<std::uint8_t>& is_bad) const {
     const std::vector<VertexId> component = components_of(made);
     std::vector<std::int64_t> surplus(name.size(), 0);
     count_loops(edges, surplus, component, 1);
@@ -154,7 +192,6 @@ class Stitcher {
     for (VertexId v = 0; v < is_bad.size(); ++v) {
       if (surplus[component[v]] > 0) is_bad[v] = 1;
     }
-    return is_bad;
   }
 
   // Adds `sign` per boundary loop to its component.
@@ -169,6 +206,7 @@ class Stitcher {
   }
 
   const Mesh& mesh_;
+  Seams seams_;
   MeshEdges edges_;
   std::vector<VertexId> place_;
   std::vector<EdgePair> pairs_;
@@ -176,10 +214,40 @@ class Stitcher {
 
 }  // namespace
 
+std::vector<VertexId> components_of(const Mesh& mesh) {
+  DisjointSets sets(mesh.vertex_count());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sets.unite(a, b);
+    sets.unite(b, c);
+  }
+  std::vector<VertexId> component(mesh.vertex_count());
+  for (VertexId v = 0; v < component.size(); ++v) component[v] = sets.find(v);
+  return component;
+}
+
+void rename_vertices(Mesh& mesh, const std::vector<VertexId>& name) {
+  for (Triangle& t : mesh.triangles) {
+    for (VertexId& v : t) v = name[v];
+  }
+}
+
 std::vector<VertexId> stitch_boundaries(Mesh& mesh) {
-  std::vector<VertexId> name = Stitcher(mesh).run();
+  std::vector<VertexId> name = Stitcher(mesh, Seams::cracks, places_of(mesh)).run();
   rename_vertices(mesh, name);
   return name;
+}
+
+std::vector<VertexId> find_split_vertices(const Mesh& mesh) {
+  const auto are_apart = [](const std::vector<VertexId>& name) {
+    for (VertexId v = 0; v < name.size(); ++v) {
+      if (name[v] != v) return false;
+    }
+    return true;
+  };
+  std::vector<VertexId> place = places_of(mesh);
+  if (are_apart(place)) return {};
+  std::vector<VertexId> name = Stitcher(mesh, Seams::splits, std::move(place)).run();
+  return are_apart(name) ? std::vector<VertexId>() : name;
 }
 
 }  // namespace geolloyd

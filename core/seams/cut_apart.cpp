@@ -1,4 +1,4 @@
-#include "core/mesh/cut_apart.h"
+#include "core/seams/cut_apart.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,28 @@
+#include "tools/cli/reading_options.h"
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "tools/cli/choice_option.h"
+#include "tools/words/mesh_files.h"
+
+namespace geolloyd {
+
+void add_weld_option(CLI::App& command, MeshReading& reading) {
+  command.add_flag("!--no-weld", reading.weld,
+                   "Leave vertices apart that a file has several times in the same\n"
+                   "place, as for several normals");
+}
+
+void add_reading_options(CLI::App& command, MeshReading& reading) {
+  const auto set = [&reading](const std::string& name) {
+    reading.format = value_of(read_format_names, name);
+  };
+  one_of(command.add_option_function<std::string>(
+             "--format", set,
+             "Format of a mesh whose name does not tell it, as that of\nstandard input (-)"),
+         read_format_names);
+  add_weld_option(command, reading);
+}
+
+}  // namespace geolloyd
