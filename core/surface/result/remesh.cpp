@@ -250,9 +250,8 @@ class SurfaceSizer {
           find_small_features(input, sizing.spacing * input.frame.scale, growth_at_small_features);
     }
     if (!small.sizes.empty()) {
-      const SurfaceInputOptions made = input_options(sizing, count_at(sizing.spacing));
       input = with_sizes(std::move(input), std::move(small.sizes),
-                         made.longest_edge * input.frame.scale, made.vertex_limit, executor_);
+                         input_options(sizing, count_at(sizing.spacing)), executor_);
     }
     return {std::move(input), std::move(small), std::move(sizing), std::move(shape_)};
   }

@@ -315,11 +315,13 @@ class SurfaceRepair {
   }
 
   // Removes sites of least energy so that with `count` more there are as many as wanted: free ones
-  // that no violation concerns, in patches with many.
+  // that no violation concerns, in patches with many. A patch keeps two thirds of its sites: from
+  // there on there are more than wanted.
   void make_room(std::size_t count) {
     SurfaceSites& sites = result_.state.sites;
     if (sites.size() + count <= wanted_) return;
     constexpr std::size_t few = 16;
+    const auto least_in = [&](PatchId p) { return std::max(few, 2 * budget_.free[p] / 3); };
     std::vector<std::size_t> of_patch(budget_.free.size(), 0);
     for (std::size_t r = sites.on_curves; r < sites.size(); ++r) ++of_patch[sites.patch[r]];
     std::vector<std::uint8_t> is_needed = sites.is_fixed;
@@ -327,13 +329,19 @@ class SurfaceRepair {
     const CellEnergies energies(input_.fine, result_.cells);
     std::vector<std::pair<double, RegionId>> by_energy;
     for (RegionId r = 0; r < sites.size(); ++r) {
-      if (is_needed[r] != 0 || of_patch[sites.patch[r]] <= few) continue;
+      if (is_needed[r] != 0 || of_patch[sites.patch[r]] <= least_in(sites.patch[r])) continue;
       by_energy.emplace_back(energies.at(r, sites.positions[r]), r);
     }
     std::sort(by_energy.begin(), by_energy.end());
-    by_energy.resize(std::min(by_energy.size(), sites.size() + count - wanted_));
     std::vector<std::uint8_t> is_removed(sites.size(), 0);
-    for (const auto& [energy, r] : by_energy) is_removed[r] = 1;
+    std::size_t left = sites.size() + count - wanted_;
+    for (const auto& [energy, r] : by_energy) {
+      if (left == 0) break;
+      if (of_patch[sites.patch[r]] <= least_in(sites.patch[r])) continue;
+      is_removed[r] = 1;
+      --of_patch[sites.patch[r]];
+      --left;
+    }
     remove_sites(is_removed, sites, result_.state.labels);
   }
 

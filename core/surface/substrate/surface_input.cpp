@@ -274,22 +274,24 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   return input;
 }
 
-SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, double longest_edge,
-                        std::size_t vertex_limit, Executor& executor) {
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, SurfaceInputOptions options,
+                        Executor& executor) {
   // Pieces know the triangle of `input` they are of, so that edges along features are found again.
   const std::vector<TrianglePair> features = triangles_at_features(input);
+  options.features = features;
+  options.longest_edge *= input.frame.scale;
   UsableTriangles usable;
   usable.mesh.positions = std::move(input.fine.positions);
   usable.mesh.triangles = std::move(input.fine.triangles);
   usable.origin.resize(usable.mesh.triangles.size());
   std::iota(usable.origin.begin(), usable.origin.end(), TriangleId{0});
   usable.sizes = {std::move(sizes), std::move(input.fine.metric)};
-  split_long_edges(usable.mesh, usable.origin, usable.sizes, longest_edge, vertex_limit);
+  split(usable, options, executor);
   SurfaceInput resized =
       SurfaceInputBuilder(std::move(usable), features, input.fixed_vertices, executor).run();
   for (TriangleId& t : resized.origin) t = input.origin[t];
   resized.frame = input.frame;
-  resized.has_flips = input.has_flips;
+  resized.has_flips = resized.has_flips || input.has_flips;
   resized.vertices_cut = input.vertices_cut;
   resized.was_cut_short = input.was_cut_short;
   return resized;

@@ -62,9 +62,9 @@ std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input);
 SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor = sequential());
 
-/// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are
-/// longer than `longest_edge` (unit frame) times the smaller size of their ends.
-SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, double longest_edge,
-                        std::size_t vertex_limit, Executor& executor = sequential());
+/// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are long
+/// for them. `options` are those that it was made with.
+SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, SurfaceInputOptions options,
+                        Executor& executor = sequential());
 
 }  // namespace geolloyd
