@@ -13,6 +13,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/seams/places.h"
 #include "core/seams/stitching.h"
+#include "core/surface/features/edge_angles.h"
 
 namespace geolloyd {
 namespace {
@@ -74,49 +75,28 @@ bool is_closed_and_oriented(const Mesh& mesh, const MeshEdges& edges, Executor& 
   return open == 0;
 }
 
-std::vector<Vec3> normals_of(const Mesh& mesh, Executor& executor) {
-  std::vector<Vec3> normals(mesh.triangle_count());
-  parallel_for(executor, mesh.triangle_count(), small_items, [&](std::size_t t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const std::vector<Vec3>& p = mesh.positions;
-    normals[t] = normalized(cross(p[b] - p[a], p[c] - p[a]));
-  });
-  return normals;
-}
-
-// By how much the surface turns at an edge: the cosine between the normals of its two triangles;
-// nothing where there are others, or one has no area.
-std::optional<double> turn_at(const Mesh& mesh, std::span<const CornerId> corners,
-                              const std::vector<Vec3>& normals) {
-  if (corners.size() != 2) return std::nullopt;
-  const Vec3& first = normals[triangle_of(corners[0])];
-  const Vec3& second = normals[triangle_of(corners[1])];
-  if (!(dot(first, first) > 0.5) || !(dot(second, second) > 0.5)) return std::nullopt;
-  const bool is_oriented = edge_start(mesh, corners[0]) != edge_start(mesh, corners[1]);
-  return is_oriented ? dot(first, second) : -dot(first, second);
-}
-
 // Of those between two triangles that lie in one plane with another neighbour: so it is along the
 // edges of solids, and seldom in folds and noise of scans.
 double length_of_sharp_edges(const Mesh& mesh, const MeshEdges& edges, Executor& executor) {
   constexpr double sharp_cosine = 0.5;              // of 60 degrees
   constexpr double flat_cosine = 0.99619469809174;  // of 5 degrees
-  const std::vector<Vec3> normals = normals_of(mesh, executor);
+  const EdgeAngles angles(mesh, edges, executor);
   std::vector<std::uint8_t> is_flat(mesh.triangle_count(), 0);
   const auto sharp = pack_indices(executor, edges.size(), [&](std::size_t e) {
-    const std::span<const CornerId> corners = edges.corners(e);
-    const std::optional<double> turn = turn_at(mesh, corners, normals);
-    if (!turn) return false;
-    if (*turn >= flat_cosine) {
-      for (const CornerId c : corners) relaxed_store(is_flat[triangle_of(c)], std::uint8_t{1});
+    const std::optional<double> cosine = angles.cosine(static_cast<EdgeId>(e));
+    if (cosine && *cosine >= flat_cosine) {
+      for (const CornerId c : edges.corners(e)) {
+        relaxed_store(is_flat[triangle_of(c)], std::uint8_t{1});
+      }
     }
-    return *turn <= sharp_cosine;
+    return cosine && *cosine <= sharp_cosine;
   });
   double length = 0;
-  for (const std::uint32_t e : sharp) {
+  for (const EdgeId e : sharp) {
     const std::span<const CornerId> corners = edges.corners(e);
-    if (is_flat[triangle_of(corners[0])] == 0 || is_flat[triangle_of(corners[1])] == 0) continue;
-    length += norm(mesh.positions[edges.ends[e][0]] - mesh.positions[edges.ends[e][1]]);
+    const bool is_between_flat = std::all_of(
+        corners.begin(), corners.end(), [&](CornerId c) { return is_flat[triangle_of(c)] != 0; });
+    if (is_between_flat) length += angles.length(e);
   }
   return length;
 }
@@ -232,10 +212,10 @@ class Judge {
 
 }  // namespace
 
-const char* name_of(RemeshFlaw flaw) {
-  static constexpr std::array<const char*, 8> names = {"vertices",    "topology", "volume",
-                                                       "fit",         "features", "split_vertices",
-                                                       "small_parts", "limit"};
+std::string_view name_of(RemeshFlaw flaw) {
+  static constexpr std::array<std::string_view, 8> names = {
+      "vertices", "topology",       "volume",      "fit",
+      "features", "split_vertices", "small_parts", "limit"};
   return names[static_cast<std::size_t>(flaw)];
 }
 

@@ -131,6 +131,7 @@ bool differ(const std::vector<Property>& of_vertices, VertexId a, VertexId b) {
   return std::any_of(of_vertices.begin(), of_vertices.end(), [&](const Property& property) {
     return std::visit(
         [&](const auto& values) {
+          // The bits: two NaNs are the same. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
           return std::memcmp(&values[a], &values[b], sizeof(values[a])) != 0;
         },
         property.values);

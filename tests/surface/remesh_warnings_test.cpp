@@ -40,7 +40,7 @@ class RemeshWarnings : public testing::Test {
     return found;
   }
 
-  void expect(std::vector<RemeshFlaw> expected) const { EXPECT_EQ(flaws(), expected); }
+  void expect(const std::vector<RemeshFlaw>& expected) const { EXPECT_EQ(flaws(), expected); }
 
   [[nodiscard]] double spacing() const {
     return norm(mesh_.positions[mesh_.triangles[0][0]] - mesh_.positions[mesh_.triangles[0][1]]);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geolloyd/choices.h"
@@ -122,7 +123,7 @@ enum class RemeshFlaw {
 };
 
 /// "vertices" and so on, for scripts.
-const char* name_of(RemeshFlaw flaw);
+std::string_view name_of(RemeshFlaw flaw);
 
 struct RemeshWarning {
   RemeshFlaw flaw;

@@ -13,15 +13,20 @@ EdgeAngles::EdgeAngles(const Mesh& mesh, const MeshEdges& edges, Executor& execu
   });
 }
 
-bool EdgeAngles::is_as_sharp(EdgeId e, double cosine) const {
-  constexpr double rounding = 1e-9;
+std::optional<double> EdgeAngles::cosine(EdgeId e) const {
   const std::span<const CornerId> corners = edges_.corners(e);
-  if (corners.size() != 2) return false;
+  if (corners.size() != 2) return std::nullopt;
   const TriangleId a = triangle_of(corners[0]);
   const TriangleId b = triangle_of(corners[1]);
+  if (!has_area(a) || !has_area(b)) return std::nullopt;
   const double between = dot(normal_[a], normal_[b]);
-  return (is_turned_round(e) ? -between : between) <= cosine + rounding && has_area(a) &&
-         has_area(b);
+  return is_turned_round(e) ? -between : between;
+}
+
+bool EdgeAngles::is_as_sharp(EdgeId e, double cosine) const {
+  constexpr double rounding = 1e-9;
+  const std::optional<double> own = this->cosine(e);
+  return own && *own <= cosine + rounding;
 }
 
 double EdgeAngles::length(EdgeId e) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/executor.h"
@@ -21,8 +22,10 @@ class EdgeAngles {
   [[nodiscard]] const MeshEdges& edges() const { return edges_; }
   /// Of length 1; 0 where the triangle has no area.
   [[nodiscard]] const Vec3& normal(TriangleId t) const { return normal_[t]; }
-  /// Whether the angle between the normals on the two sides has this cosine or a smaller one. Not
-  /// where there are not two triangles with an area.
+  /// Of the angle between the normals on the two sides; nothing where there are not two triangles
+  /// with an area.
+  [[nodiscard]] std::optional<double> cosine(EdgeId e) const;
+  /// Whether it has this cosine or a smaller one.
   [[nodiscard]] bool is_as_sharp(EdgeId e, double cosine) const;
   /// Mesh units.
   [[nodiscard]] double length(EdgeId e) const;

@@ -29,7 +29,6 @@ bool FlatSides::has_one(EdgeId e) const {
 // Triangles are taken in the order in which they are reached from the edge.
 bool FlatSides::is_flat(EdgeId e, TriangleId side) const {
   const Mesh& mesh = angles_.mesh();
-  const MeshEdges& edges = angles_.edges();
   const double triangle_side = std::sqrt(triangle_area(mesh, mesh.triangles[side]));
   const double reach = std::max(spacing_ / 2, std::min(2 * triangle_side, 8 * spacing_));
   const double square = reach * reach;
@@ -38,30 +37,35 @@ bool FlatSides::is_flat(EdgeId e, TriangleId side) const {
   Vec3 normals = Vec3::Zero();
   double area = 0;
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    const auto [t, sign] = reached[i];
-    const double share = std::min(triangle_area(mesh, mesh.triangles[t]), square / 2);
-    normals += (sign * share) * angles_.normal(t);
+    const SideTriangle here = reached[i];
+    const double share = std::min(triangle_area(mesh, mesh.triangles[here.triangle]), square / 2);
+    normals += (here.sign * share) * angles_.normal(here.triangle);
     area += share;
-    for_each_corner(mesh, t, [&](CornerId c) {
-      const auto ends = ascending(edge_start(mesh, c), edge_end(mesh, c));
-      const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), ends);
-      const auto next = static_cast<EdgeId>(at - edges.ends.begin());
-      const std::span<const CornerId> corners = edges.corners(next);
-      if (corners.size() != 2 || reached.size() >= most_on_a_side) return;
-      const TriangleId beyond = triangle_of(corners[0]) == t ? triangle_of(corners[1])  //
-                                                             : triangle_of(corners[0]);
+    for_each_corner(mesh, here.triangle, [&](CornerId c) {
+      const EdgeId next = edge_opposite(c);
+      const TriangleId beyond = triangle_beyond(next, here.triangle);
+      if (beyond == no_id || reached.size() >= most_on_a_side || !is_near(e, next, reach)) return;
       const auto place = std::lower_bound(known.begin(), known.end(), beyond);
-      if ((place != known.end() && *place == beyond) ||
-          std::binary_search(sharp_.begin(), sharp_.end(), next) || !is_near(e, next, reach)) {
-        return;
-      }
+      if (place != known.end() && *place == beyond) return;
       known.insert(place, beyond);
-      reached.push_back({beyond, angles_.is_turned_round(next) ? -sign : sign});
+      reached.push_back({beyond, angles_.is_turned_round(next) ? -here.sign : here.sign});
     });
   }
   constexpr double least_area = 0.45;
   constexpr double least_mean = 0.995;
   return area >= least_area * square && norm(normals) >= least_mean * area;
+}
+
+EdgeId FlatSides::edge_opposite(CornerId c) const {
+  const auto& ends = angles_.edges().ends;
+  const auto edge = ascending(edge_start(angles_.mesh(), c), edge_end(angles_.mesh(), c));
+  return static_cast<EdgeId>(std::lower_bound(ends.begin(), ends.end(), edge) - ends.begin());
+}
+
+TriangleId FlatSides::triangle_beyond(EdgeId e, TriangleId t) const {
+  const std::span<const CornerId> corners = angles_.edges().corners(e);
+  if (corners.size() != 2 || std::binary_search(sharp_.begin(), sharp_.end(), e)) return no_id;
+  return triangle_of(corners[triangle_of(corners[0]) == t ? 1 : 0]);
 }
 
 // By three points of the other edge.

@@ -22,6 +22,9 @@ class FlatSides {
 
  private:
   [[nodiscard]] bool is_flat(EdgeId e, TriangleId side) const;
+  [[nodiscard]] EdgeId edge_opposite(CornerId c) const;
+  // no_id where the edge is sharp or has not two triangles.
+  [[nodiscard]] TriangleId triangle_beyond(EdgeId e, TriangleId t) const;
   [[nodiscard]] bool is_near(EdgeId e, EdgeId other, double reach) const;
 
   const EdgeAngles& angles_;
