@@ -39,7 +39,11 @@ class CreaseFinder {
     creases_ = pack_indices(executor_, angles_.edges().size(), [&](std::size_t e) {
       return angles_.is_as_sharp(static_cast<EdgeId>(e), rule_.cosine);
     });
-    if (rule_.needs_flat_side) judge_chains();
+    if (rule_.needs_flat_side) {
+      const std::vector<EdgeId> sharp = creases_;
+      judge_components();  // of a scan's sharp edges hardly any are left to be looked at
+      judge_chains(sharp);
+    }
     judge_components();
     cut_loose_ends(
         angles_, [&](double length, std::size_t edges) { return is_short(length, edges); },
@@ -55,9 +59,10 @@ class CreaseFinder {
 
   // Keeps chains with a flat side nearly everywhere that stand out from what is around; of those
   // along a narrow strip one.
-  void judge_chains() {
+  void judge_chains(std::span<const EdgeId> sharp) {
+    if (creases_.empty()) return;
     std::vector<CreaseChain> chains = find_chains();
-    const FlatSides sides(angles_, creases_, spacing_);
+    const FlatSides sides(angles_, sharp, spacing_);
     find_bends();
     std::vector<std::uint8_t> is_flat(chains.size());
     parallel_for(executor_, chains.size(), 8, [&](std::size_t c) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/sorting.h"
 #include "core/surface/features/edge_network.h"
 
 namespace geolloyd {
@@ -41,14 +42,21 @@ class SmallFeatureFinder {
     edges.insert(edges.end(), input.boundary_edges.begin(), input.boundary_edges.end());
     EdgeNetwork network(std::move(edges), input.fixed_vertices);
     for (const auto& path : network.take_paths()) add_curve(path, false);
-    for (const auto& loop : network.take_loops()) add_curve(loop, true);
+    for (const auto& loop : network.take_loops()) {
+      const auto edge = ascending(loop[0], loop[1]);
+      const bool is_hole =
+          std::binary_search(input.boundary_edges.begin(), input.boundary_edges.end(), edge);
+      add_curve(loop, true);
+      shorten_loop(loop, is_hole ? shortest_kept_hole : shortest_kept_loop);
+    }
   }
 
   // Loops first: a wall that is too thin for its triangles stays a wall, but a hole of three
   // vertices is none.
   SmallFeatures run() {
     find_opposite_curves();
-    even_ = sites(own_sizes());
+    if (!has_small(at_loop_) && !has_small(at_wall_)) return {};
+    find_own_sizes();
     Floors floors;
     const bool has_room = lower(floors, &Floors::loops) && lower(floors, &Floors::walls);
     SmallFeatures found = at(floors);
@@ -79,13 +87,20 @@ class SmallFeatureFinder {
     return false;
   }
 
+  [[nodiscard]] bool has_small(const std::vector<double>& lengths) const {
+    return std::any_of(lengths.begin(), lengths.end(), [&](double x) { return x < spacing_; });
+  }
+
   // With more sites in small places all are further apart.
   [[nodiscard]] SmallFeatures at(const Floors& floors) const {
+    const double factor = std::sqrt(sites(sizes(floors, 1)) / even_);
+    const SizesAtSome shorter = sizes(floors, factor);
     SmallFeatures found;
-    found.sizes = sizes(floors, std::sqrt(sites(sizes(floors, 1)) / even_));
-    found.share = 1 - even_ / sites(found.sizes);
+    found.share = 1 - even_ / sites(shorter);
+    found.sizes = shorter.sizes;
     return found;
   }
+
   [[nodiscard]] double way(VertexId a, VertexId b) const {
     return norm(fine_.positions[a] - fine_.positions[b]);
   }
@@ -101,15 +116,19 @@ class SmallFeatureFinder {
     }
     if (is_loop) {
       curve.length += way(vertices.back(), vertices.front());
-      if (curve.length >= shortest_kept_loop * spacing_) {
-        for (const VertexId v : vertices) {
-          at_loop_[v] = std::min(at_loop_[v], curve.length / sites_on_loop);
-        }
-      }
     } else {
       curve.ends = {vertices.front(), vertices.back()};
     }
     curves_.push_back(curve);
+  }
+
+  // The last curve that was added.
+  void shorten_loop(const std::vector<VertexId>& vertices, double shortest) {
+    const double length = curves_.back().length;
+    if (length < shortest * spacing_) return;
+    for (const VertexId v : vertices) {
+      at_loop_[v] = std::min(at_loop_[v], length / sites_on_loop);
+    }
   }
 
   // From all curves at once, each vertex is reached from the one nearest along edges. Where two
@@ -166,49 +185,61 @@ class SmallFeatureFinder {
     return (is_loop ? std::min(along, one.length - along) : along) >= detour * between;
   }
 
-  [[nodiscard]] std::vector<double> own_sizes() const {
-    std::vector<double> own(fine_.vertex_count(), 1);
-    for (VertexId v = 0; v < own.size(); ++v) own[v] = 1 / fine_.inverse_sizing_at(v);
-    return own;
+  void find_own_sizes() {
+    own_.resize(fine_.vertex_count());
+    for (VertexId v = 0; v < own_.size(); ++v) own_[v] = 1 / fine_.inverse_sizing_at(v);
+    even_ = 0;
+    for (TriangleId t = 0; t < fine_.triangle_count(); ++t) even_ += sites_on(t, own_);
   }
 
+  struct SizesAtSome {
+    std::vector<double> sizes;
+    std::vector<VertexId> changed;  // more than once, perhaps
+  };
+
   // Where sites are `factor` times the spacing apart.
-  [[nodiscard]] std::vector<double> sizes(const Floors& floors, double factor) const {
-    std::vector<double> sizes = own_sizes();
+  [[nodiscard]] SizesAtSome sizes(const Floors& floors, double factor) const {
+    SizesAtSome result = {own_, {}};
+    std::vector<double>& sizes = result.sizes;
+    const double unit = factor * spacing_;
     using Entry = std::pair<double, VertexId>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const auto shorten = [&](VertexId v, double size) {
+      if (!(size < sizes[v])) return;
+      sizes[v] = size;
+      result.changed.push_back(v);
+      queue.emplace(size, v);
+    };
     for (VertexId v = 0; v < sizes.size(); ++v) {
-      if (!(at_loop_[v] < spacing_) && !(at_wall_[v] < spacing_)) continue;
-      const double unit = factor * spacing_;
-      const double wanted = std::min(std::max(at_loop_[v] / unit, floors.loops),
-                                     std::max(at_wall_[v] / unit, floors.walls));
-      if (!(wanted < sizes[v])) continue;
-      sizes[v] = wanted;
-      queue.emplace(wanted, v);
+      if (at_loop_[v] < spacing_) shorten(v, std::max(at_loop_[v] / unit, floors.loops));
+      if (at_wall_[v] < spacing_) shorten(v, std::max(at_wall_[v] / unit, floors.walls));
     }
     while (!queue.empty()) {
       const auto [size, v] = queue.top();
       queue.pop();
       if (size > sizes[v]) continue;
-      for (const VertexId u : fine_.neighbours(v)) {
-        const double limit = size + slope_ * way(v, u) / (factor * spacing_);
-        if (!(limit < sizes[u])) continue;
-        sizes[u] = limit;
-        queue.emplace(limit, u);
-      }
+      for (const VertexId u : fine_.neighbours(v)) shorten(u, size + slope_ * way(v, u) / unit);
     }
-    return sizes;
+    return result;
   }
 
   // In proportion.
-  [[nodiscard]] double sites(const std::vector<double>& sizes) const {
-    double sum = 0;
-    for (TriangleId t = 0; t < fine_.triangle_count(); ++t) {
-      const auto& [a, b, c] = fine_.triangles[t];
-      const double inverse = (1 / sizes[a] + 1 / sizes[b] + 1 / sizes[c]) / 3;
-      sum += fine_.area(t) * (inverse * inverse);
+  [[nodiscard]] double sites(const SizesAtSome& at) const {
+    std::vector<TriangleId> triangles;
+    for (const VertexId v : at.changed) {
+      const auto around = fine_.triangles_at(v);
+      triangles.insert(triangles.end(), around.begin(), around.end());
     }
+    sort_and_deduplicate(triangles);
+    double sum = even_;
+    for (const TriangleId t : triangles) sum += sites_on(t, at.sizes) - sites_on(t, own_);
     return sum;
+  }
+
+  [[nodiscard]] double sites_on(TriangleId t, const std::vector<double>& sizes) const {
+    const auto& [a, b, c] = fine_.triangles[t];
+    const double inverse = (1 / sizes[a] + 1 / sizes[b] + 1 / sizes[c]) / 3;
+    return fine_.area(t) * (inverse * inverse);
   }
 
   const FineMesh& fine_;
@@ -220,7 +251,8 @@ class SmallFeatureFinder {
   // Per vertex: length of edges, at most the spacing.
   std::vector<double> at_loop_;
   std::vector<double> at_wall_;
-  double even_ = 0;  // sites without small features
+  std::vector<double> own_;  // per vertex: its size without small features
+  double even_ = 0;          // sites without small features
 };
 
 }  // namespace

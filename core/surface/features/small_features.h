@@ -16,8 +16,10 @@ struct SmallFeatures {
   bool is_limited = false;    ///< smaller ones would have taken too many vertices
 };
 
-/// Loops shorter than this are too small for sites of their own. Spacings.
+/// Loops of features shorter than this are too small for sites of their own. Spacings.
 inline constexpr double shortest_kept_loop = 1.5;
+/// Holes shorter than this are as small as a triangle, which stands for them.
+inline constexpr double shortest_kept_hole = 3;
 
 /// `spacing` is that of evenly spread sites, in the unit frame. Sizes grow by `growth` - 1 per
 /// length, as in limit_growth(). All small sizes together take at most a third of the vertices:

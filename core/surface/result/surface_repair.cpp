@@ -104,12 +104,16 @@ class SurfaceRepair {
   void insert_until_none() {
     constexpr int most_in_vain = 3;
     for (int in_vain = 0; has_violations() && in_vain < most_in_vain && goes_on();) {
-      const std::size_t before = result_.state.sites.size();
+      const std::ptrdiff_t before = fixed_sites();  // others make room for them
       if (!(in_vain == 0 && insert(Inserted::fixed)) && !insert_in_regions()) return;
       relaxer_.relax(level_, result_.state, 0);
       dualise();
-      in_vain = result_.state.sites.size() > before ? 0 : in_vain + 1;
+      in_vain = fixed_sites() > before ? 0 : in_vain + 1;
     }
+  }
+  [[nodiscard]] std::ptrdiff_t fixed_sites() const {
+    const std::vector<std::uint8_t>& is_fixed = result_.state.sites.is_fixed;
+    return std::count(is_fixed.begin(), is_fixed.end(), std::uint8_t{1});
   }
 
   // An interrupt leaves some rounds, which are enough where there are few violations.
