@@ -24,7 +24,8 @@ core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
 core/surface/sizing: curvature field_metric recipe sizing
 core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface_engine reference_surface_engine surface_engine
-core/surface/features: creases curve_sites edge_angles patches small_features
+core/surface/features: curve_sites degrees edge_network patches small_features
+core/surface/creases: creases edge_angles
 core/surface/sites: site_balance site_levels
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph

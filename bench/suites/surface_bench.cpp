@@ -11,7 +11,7 @@
 #include "core/base/random.h"
 #include "core/dual/seed_insertion.h"
 #include "core/surface/cells/cell_labels.h"
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/result/surface_fit.h"

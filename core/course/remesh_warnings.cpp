@@ -13,7 +13,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/seams/places.h"
 #include "core/seams/stitching.h"
-#include "core/surface/features/edge_angles.h"
+#include "core/surface/creases/edge_angles.h"
 
 namespace geolloyd {
 namespace {

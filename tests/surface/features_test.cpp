@@ -9,7 +9,7 @@
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 #include "geolloyd/errors.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/sharp_solids.h"

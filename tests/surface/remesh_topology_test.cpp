@@ -199,8 +199,8 @@ TEST(RemeshOfTwoSheets, JoinsThemNowhere) {
   }
 }
 
-// CAD parts and models with split vertices, needles, thin walls and handles smaller than a triangle:
-// sites that are inserted for those make others give way.
+// CAD parts and models with split vertices, needles, thin walls and handles smaller than a
+// triangle: sites that are inserted for those make others give way.
 TEST(RemeshOfHardMeshes, AreManifoldsLikeThem) {
   const std::filesystem::path folder = std::filesystem::path(GEOLLOYD_SHARED_MESHES) / "hard";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;

@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/shapes/shapes.h"
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 #include "core/surface/sizing/recipe.h"
 #include "core/surface/substrate/surface_input.h"
 #include "geolloyd/remesh.h"

@@ -8,7 +8,7 @@
 #include "core/graph/graph.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/properties/properties.h"
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 #include "core/surface/sizing/recipe.h"
 #include "core/surface/sizing/sizing.h"
 

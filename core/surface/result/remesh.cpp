@@ -12,7 +12,7 @@
 #include "core/base/random.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/features/patches.h"
 #include "core/surface/features/small_features.h"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/surface/features/edge_angles.h"
+#include "core/surface/creases/edge_angles.h"
 
 namespace geolloyd {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/surface/features/edge_angles.h"
+#include "core/surface/creases/edge_angles.h"
 
 namespace geolloyd {
 

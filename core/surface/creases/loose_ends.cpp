@@ -1,4 +1,4 @@
-#include "core/surface/features/loose_ends.h"
+#include "core/surface/creases/loose_ends.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "core/surface/features/flat_sides.h"
+#include "core/surface/creases/flat_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/surface/features/close_chains.h"
+#include "core/surface/creases/close_chains.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/surface/features/creases.h"
+#include "core/surface/creases/creases.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,12 +8,12 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/packing.h"
 #include "core/base/sorting.h"
-#include "core/surface/features/close_chains.h"
+#include "core/surface/creases/close_chains.h"
+#include "core/surface/creases/edge_angles.h"
+#include "core/surface/creases/flat_sides.h"
+#include "core/surface/creases/loose_ends.h"
 #include "core/surface/features/degrees.h"
-#include "core/surface/features/edge_angles.h"
 #include "core/surface/features/edge_network.h"
-#include "core/surface/features/flat_sides.h"
-#include "core/surface/features/loose_ends.h"
 #include "core/surface/features/small_features.h"
 #include "geolloyd/errors.h"
 

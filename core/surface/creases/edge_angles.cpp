@@ -1,4 +1,4 @@
-#include "core/surface/features/edge_angles.h"
+#include "core/surface/creases/edge_angles.h"
 
 #include "core/base/loops.h"
 
