@@ -21,9 +21,10 @@ namespace {
 // What is bad begins beyond these.
 constexpr double most_vertices_share = 1.05;  // of those asked for
 constexpr double most_volume_error = 0.02;
+constexpr double most_way_off = 0.03;        // of the diagonal
 constexpr double most_distance_left = 0.9;   // after the fit, of that before
 constexpr double least_distance = 0.02;      // before the fit, of the spacing: else all is well
-constexpr double least_sharp_share = 1.5;    // length of sharp edges, of the root of the area
+constexpr double least_sharp_share = 2.5;    // length of sharp edges, of the root of the area
 constexpr double least_sharp_spacings = 20;  // and of the spacing
 
 std::string whole(double number) {
@@ -213,8 +214,8 @@ class Judge {
 }  // namespace
 
 std::string_view name_of(RemeshFlaw flaw) {
-  static constexpr std::array<std::string_view, 8> names = {
-      "vertices", "topology",       "volume",      "fit",
+  static constexpr std::array<std::string_view, 9> names = {
+      "vertices", "topology",       "volume",      "distance", "fit",
       "features", "split_vertices", "small_parts", "limit"};
   return names[static_cast<std::size_t>(flaw)];
 }
@@ -240,6 +241,14 @@ InputSigns find_signs(const Mesh& mesh, const MeshEdges& edges, Executor& execut
 std::vector<RemeshWarning> find_warnings(const Mesh& mesh, const InputSigns& signs,
                                          const RemeshOptions& options, const Remesh& remesh) {
   return Judge(mesh, signs, options, remesh).run();
+}
+
+void warn_of_distance(double largest, double diagonal, Remesh& remesh) {
+  if (!(largest > most_way_off * diagonal)) return;
+  remesh.warnings.push_back(
+      {RemeshFlaw::distance, "the input is up to " + percent(largest / diagonal) +
+                                 " of its diagonal away from the remesh: more vertices would keep "
+                                 "what is lost there"});
 }
 
 }  // namespace geolloyd

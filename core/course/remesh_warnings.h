@@ -24,6 +24,10 @@ InputSigns find_signs(const Mesh& mesh, const MeshEdges& edges, Executor& execut
 std::vector<RemeshWarning> find_warnings(const Mesh& mesh, const InputSigns& signs,
                                          const RemeshOptions& options, const Remesh& remesh);
 
+/// Adds the warning of a distance from the input to the remesh that is large beside the input's
+/// diagonal: for those who have measured it.
+void warn_of_distance(double largest, double diagonal, Remesh& remesh);
+
 /// How much more is inside a remesh than inside its mesh, as a share; nothing unless both are
 /// closed.
 std::optional<double> volume_error(const Mesh& mesh, bool is_closed, const Remesh& remesh);

@@ -77,6 +77,15 @@ TEST_F(RemeshWarnings, TellOfALostVolume) {
   expect({});
 }
 
+TEST_F(RemeshWarnings, TellOfADistance) {
+  warn_of_distance(0.29, 10, remesh_);
+  EXPECT_TRUE(remesh_.warnings.empty());
+  warn_of_distance(0.31, 10, remesh_);
+  ASSERT_EQ(remesh_.warnings.size(), 1U);
+  EXPECT_EQ(remesh_.warnings[0].flaw, RemeshFlaw::distance);
+  EXPECT_NE(remesh_.warnings[0].text.find("3.1 %"), std::string::npos);
+}
+
 TEST_F(RemeshWarnings, TellOfAFitThatDidLittle) {
   remesh_.distance_before_fit = remesh_.distance_after_fit = 0.01 * spacing();
   expect({});
@@ -87,9 +96,9 @@ TEST_F(RemeshWarnings, TellOfAFitThatDidLittle) {
 }
 
 TEST_F(RemeshWarnings, TellOfSharpEdgesThatAreNotKept) {
-  signs_.sharp_length = 1.4 * std::sqrt(signs_.area);
+  signs_.sharp_length = 2.4 * std::sqrt(signs_.area);
   expect({});
-  signs_.sharp_length = 1.6 * std::sqrt(signs_.area);
+  signs_.sharp_length = 2.6 * std::sqrt(signs_.area);
   expect({RemeshFlaw::features});
   options_.features.creases = Creases::none;
   expect({});

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/course/remesh_warnings.h"
 #include "tools/evaluation/attribute_transfer.h"
 #include "tools/evaluation/tolerance_search.h"
 #include "tools/run/stages.h"
@@ -59,6 +60,10 @@ RemeshedInput remesh_input(const RemeshRequest& request, const std::optional<Pic
   const Stopwatch judging;
   result.figures =
       judge_remesh(input.mesh(), edges, input.facts, result.made.remesh, done.field, scheduler);
+  if (result.figures.distance) {
+    warn_of_distance(result.figures.distance->largest, input.facts.bounding_diagonal,
+                     result.made.remesh);
+  }
   result.judge_seconds = judging.seconds();
   return done;
 }

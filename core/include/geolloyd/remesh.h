@@ -115,6 +115,7 @@ enum class RemeshFlaw {
   vertices,        ///< many more than asked for
   topology,        ///< no manifold, or not of the input's topology
   volume,          ///< another one inside than inside the input, where both are closed
+  distance,        ///< part of the input is far from the remesh: found by who measures
   fit,             ///< could bring the remesh hardly closer
   features,        ///< the input has long sharp edges, and none are kept
   split_vertices,  ///< of the input: where they are, its surface is not joined
