@@ -169,6 +169,70 @@ TEST_F(Gltf, BuffersLieBesideTheFileOnly) {
   EXPECT_THROW((void)load("m.gltf", root.dump()), IoError);
 }
 
+// A fan of so many triangles, all of whose numbers are in a buffer beside the file.
+class GltfBeside : public Gltf {
+ protected:
+  static constexpr std::uint32_t triangle_count = 5000;
+
+  static json fan() {
+    json root = gltf_square();
+    root["accessors"][0]["count"] = triangle_count + 2;
+    root["accessors"][1]["count"] = 3 * triangle_count;
+    root["bufferViews"] = {{{"buffer", 0}, {"byteLength", 12 * (triangle_count + 2)}},
+                           {{"buffer", 0},
+                            {"byteOffset", 12 * (triangle_count + 2)},
+                            {"byteLength", 12 * triangle_count}}};
+    root["buffers"] = {{{"byteLength", fan_bytes().size()}, {"uri", "fan.bin"}}};
+    return root;
+  }
+
+  static std::string fan_bytes() {
+    std::vector<float> positions{0, 0, 0};
+    std::string corners;
+    for (std::uint32_t i = 0; i <= triangle_count; ++i) {
+      const auto x = static_cast<float>(i);
+      positions.insert(positions.end(), {1, x, x * x});
+      if (i == 0) continue;
+      for (const std::uint32_t corner : {0U, i, i + 1}) corners += raw(corner, glb_order);
+    }
+    return floats(positions) + corners;
+  }
+
+  [[nodiscard]] Mesh read_beside(const json& root, const std::string& bytes) const {
+    (void)folder_.write("fan.bin", bytes);
+    return read(folder_.write("fan.gltf", root.dump())).mesh;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(GltfBeside, HasMoreRowsThanItsFileHasBytes) {
+  ASSERT_LT(fan().dump().size(), triangle_count);
+  const Mesh mesh = read_beside(fan(), fan_bytes());
+  EXPECT_EQ(mesh.vertex_count(), triangle_count + 2);
+  EXPECT_EQ(mesh.triangle_count(), triangle_count);
+  EXPECT_EQ(mesh.positions.back(), Vec3(1, triangle_count, 25'000'000));
+}
+
+// All at the origin, but for the last.
+TEST_F(GltfBeside, MayReplaceRowsThatAreUnset) {
+  json root = fan();
+  root["accessors"][0].erase("bufferView");
+  root["accessors"][0]["sparse"] = {{"count", 1},
+                                    {"indices", {{"bufferView", 2}, {"componentType", 5125}}},
+                                    {"values", {{"bufferView", 0}, {"byteOffset", 12}}}};
+  std::string bytes = fan_bytes();
+  root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", 4}});
+  bytes += raw(triangle_count + 1, glb_order);
+  root["buffers"][0]["byteLength"] = bytes.size();
+  const Mesh mesh = read_beside(root, bytes);
+  EXPECT_EQ(mesh.positions.back(), Vec3(1, 0, 0));
+
+  root["accessors"][0]["count"] = 4'000'000'000;
+  EXPECT_THROW((void)read_beside(root, bytes), InvalidInput);
+}
+
 TEST_F(Gltf, ComplaintsNameThePart) {
   struct Change {
     const char* pointer;

@@ -83,15 +83,16 @@ GltfAccessor::GltfAccessor(GltfDocument& document, std::size_t index)
   const std::uint64_t count = document.number(object, "count", what_);
   const auto normalized = object.find("normalized");
   is_normalized_ = normalized != object.end() && *normalized == true;
-  // Every row takes a byte somewhere, be it in a list of triangles.
-  if (count > document.size()) {
-    document.fail(what_, std::to_string(count) + " rows are promised by a file of " +
-                             std::to_string(document.size()) + " bytes");
-  }
   count_ = static_cast<std::size_t>(count);
   if (object.contains("bufferView")) rows_ = find_rows(object, count, size * width_, what_);
   const auto sparse = object.find("sparse");
   if (sparse != object.end()) read_sparse(*sparse);
+  // Every row takes a byte somewhere, be it in a list of triangles. The buffers of this accessor
+  // are read by now, so they count.
+  if (count > document.size()) {
+    document.fail(what_, std::to_string(count) + " rows are promised by a file of " +
+                             std::to_string(document.size()) + " bytes");
+  }
 }
 
 GltfAccessor::Rows GltfAccessor::find_rows(const json& object, std::uint64_t count,

@@ -36,7 +36,7 @@ class GltfDocument {
   /// The bytes of a buffer view.
   [[nodiscard]] std::string_view view(std::size_t index);
 
-  /// Bytes of the file, and of the buffers beside it.
+  /// Bytes of the file, and of the buffers beside it that were read so far.
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
   /// Throws InvalidInput "NAME: WHAT: MESSAGE".
