@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include "core/formats/corner_properties.h"
 #include "core/formats/mesh_readers.h"
+#include "geolloyd/errors.h"
 
 namespace geolloyd {
 namespace {
@@ -18,6 +21,8 @@ struct OffHeader {
   std::string_view keyword;  // "OFF" behind what every vertex has: ST, C, N in any order
   std::int64_t vertices = 0;
   std::int64_t faces = 0;
+
+  [[nodiscard]] bool names_colours() const { return keyword.find('C') != std::string_view::npos; }
 };
 
 // "4OFF" and "nOFF" have other positions. Where the first word is a number the keyword is missing.
@@ -60,8 +65,7 @@ OffHeader read_header(TextCursor& text) {
   return header;
 }
 
-// That each vertex and each face can have a line of its own. Otherwise words are taken as they
-// come, whatever lines they stand on.
+// That each vertex and each face can have a line of its own.
 bool has_lines_for_all(TextCursor text, const OffHeader& header) {
   const auto items =
       static_cast<std::uint64_t>(header.vertices) + static_cast<std::uint64_t>(header.faces);
@@ -137,9 +141,8 @@ class OffProperties {
 
   static std::vector<double> read_row(TextCursor& text) {
     std::vector<double> row;
-    while (!text.at_line_end()) {
+    while (!text.at_line_end(comment)) {
       const std::string_view word = text.word();
-      if (word.starts_with(comment)) break;
       const auto number = parse_real(word);
       if (!number) text.fail_expected("a number", word);
       row.push_back(*number);
@@ -166,23 +169,32 @@ class OffProperties {
 // Goes through the vertices and faces.
 class OffReader {
  public:
-  OffReader(std::string_view bytes, std::string_view name, const ReadOptions& options)
-      : text_(bytes, name), header_(read_header(text_)), properties_(header_.keyword, options) {}
+  // `text` stands behind the header. `has_lines`: each vertex and each face begins a line, and what
+  // stands behind it is its own. Otherwise words are taken as they come.
+  OffReader(const TextCursor& text, const OffHeader& header, const ReadOptions& options,
+            bool has_lines)
+      : text_(text), header_(header), properties_(header.keyword, options), has_lines_(has_lines) {}
 
   ParsedMesh read() {
     loaded_.format = "OFF";
-    check_line_count(text_, header_.vertices, 3, "vertices");
-    check_line_count(text_, header_.faces, 1, "faces");
-    has_lines_ = has_lines_for_all(text_, header_);
-    if (!has_lines_ && header_.keyword.find('C') != std::string_view::npos) {
-      text_.fail(
-          "the file has fewer lines than vertices and faces, so nobody can tell how many "
-          "numbers a colour has; give each vertex a line");
-    }
     read_vertices();
     read_faces();
     properties_.finish(loaded_.properties);
     return std::move(loaded_);
+  }
+
+  // Bytes behind what was read.
+  [[nodiscard]] std::size_t remaining() const { return text_.remaining(); }
+
+  // That all words of the text are read.
+  bool is_all_read() {
+    text_.skip_empty_lines(comment);
+    return text_.at_end();
+  }
+
+  // Colours stand behind each face. Words behind others but not the last may be of the next faces.
+  [[nodiscard]] bool may_be_wrapped() const {
+    return some_have_words_behind_ && !last_has_words_behind_;
   }
 
  private:
@@ -216,7 +228,10 @@ class OffReader {
       next_item("faces", i, header_.faces);
       read_polygon(text_, loaded_.mesh.vertex_count(), corners, loaded_);
       text_.pass_line_ends(false);
-      if (has_lines_) properties_.read_face(text_);
+      if (!has_lines_) continue;
+      last_has_words_behind_ = !text_.at_line_end(comment);
+      some_have_words_behind_ = some_have_words_behind_ || last_has_words_behind_;
+      properties_.read_face(text_);
     }
   }
 
@@ -224,13 +239,54 @@ class OffReader {
   OffHeader header_;
   OffProperties properties_;
   ParsedMesh loaded_;
-  bool has_lines_ = true;
+  bool has_lines_;
+  bool some_have_words_behind_ = false;  // a face that was read has
+  bool last_has_words_behind_ = false;
 };
+
+// Text that has lines for all, but perhaps others than those: programs wrap long ones. Where words
+// taken as they come end with the text, they are what was meant.
+ParsedMesh read_lines_or_words(const TextCursor& text, const OffHeader& header,
+                               const ReadOptions& options) {
+  OffReader lines(text, header, options, true);
+  std::optional<ParsedMesh> by_lines;
+  std::exception_ptr error;
+  try {
+    by_lines = lines.read();
+  } catch (const InvalidInput&) {
+    error = std::current_exception();
+  }
+  if (by_lines && !lines.may_be_wrapped()) return std::move(*by_lines);
+  OffReader words(text, header, options, false);
+  try {
+    ParsedMesh by_words = words.read();
+    if (words.is_all_read()) return by_words;
+  } catch (const InvalidInput&) {
+    // The way that comes farther is the one to complain about.
+    if (error && words.remaining() < lines.remaining()) throw;
+  }
+  if (error) std::rethrow_exception(error);
+  return std::move(*by_lines);
+}
 
 }  // namespace
 
 ParsedMesh read_off(std::string_view bytes, std::string_view name, const ReadOptions& options) {
-  return OffReader(bytes, name, options).read();
+  TextCursor text(bytes, name);
+  const OffHeader header = read_header(text);
+  check_line_count(text, header.vertices, 3, "vertices");
+  check_line_count(text, header.faces, 1, "faces");
+  const bool has_lines = has_lines_for_all(text, header);
+  if (header.names_colours()) {
+    if (!has_lines) {
+      text.fail(
+          "the file has fewer lines than vertices and faces, so nobody can tell how many "
+          "numbers a colour has; give each vertex a line");
+    }
+    return OffReader(text, header, options, true).read();
+  }
+  if (!has_lines) return OffReader(text, header, options, false).read();
+  return read_lines_or_words(text, header, options);
 }
 
 }  // namespace geolloyd

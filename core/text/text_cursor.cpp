@@ -38,9 +38,10 @@ TextCursor::TextCursor(std::string_view text, std::string_view name, std::size_t
   if (text_.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
 }
 
-bool TextCursor::at_line_end() {
+bool TextCursor::at_line_end(char comment) {
   while (!at_end() && is_space(text_[position_]) && !ends_line(text_[position_])) ++position_;
-  return at_end() || ends_line(text_[position_]);
+  if (at_end() || ends_line(text_[position_])) return true;
+  return comment != '\0' && text_[position_] == comment;
 }
 
 void TextCursor::next_line() {
@@ -51,11 +52,7 @@ void TextCursor::next_line() {
 }
 
 void TextCursor::skip_empty_lines(char comment) {
-  while (!at_end()) {
-    const bool is_empty = at_line_end() || (comment != '\0' && text_[position_] == comment);
-    if (!is_empty) return;
-    next_line();
-  }
+  while (!at_end() && at_line_end(comment)) next_line();
 }
 
 std::string_view TextCursor::word() {

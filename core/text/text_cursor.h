@@ -21,8 +21,8 @@ class TextCursor {
   /// Bytes from here to the end of the text.
   [[nodiscard]] std::size_t remaining() const { return text_.size() - position_; }
 
-  /// Skips blanks; true where nothing else stands on this line.
-  bool at_line_end();
+  /// Skips blanks; true where nothing else stands on this line, or only what begins with `comment`.
+  bool at_line_end(char comment = '\0');
   /// To the start of the next line, whatever is left of this one.
   void next_line();
   /// Skips blank lines, and lines that begin with `comment` unless that is 0.

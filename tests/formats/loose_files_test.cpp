@@ -33,6 +33,58 @@ TEST_F(LooseFiles, OffTakesWordsWhateverLinesTheyStandOn) {
   }
 }
 
+// A polygon of all vertices, twice, and a triangle, as programs wrap them that know no lines.
+TEST_F(LooseFiles, OffMayBeWrapped) {
+  constexpr int corners = 30;
+  std::vector<std::string> words;
+  for (int i = 0; i < corners; ++i) {
+    for (const int x : {i, i * i, 0}) words.push_back(std::to_string(x));
+  }
+  for (int face = 0; face < 2; ++face) {
+    words.push_back(std::to_string(corners));
+    for (int i = 0; i < corners; ++i) words.push_back(std::to_string(i));
+  }
+  for (const char* word : {"3", "0", "1", "2"}) words.emplace_back(word);
+  const auto wrapped = [&](std::size_t width) {
+    std::string text = "OFF\n" + std::to_string(corners) + " 3 0";
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i % width == 0 ? "\n" : " ") + words[i];
+    return text + "\n";
+  };
+  const Mesh expected = load("m.off", wrapped(words.size())).mesh;
+  ASSERT_EQ(expected.triangle_count(), 2U * (corners - 2) + 1);
+  for (std::size_t width = 1; width < words.size(); ++width) {
+    const Mesh mesh = load("m.off", wrapped(width)).mesh;
+    EXPECT_EQ(mesh.positions, expected.positions) << width;
+    EXPECT_EQ(mesh.triangles, expected.triangles) << width;
+  }
+  words[3 * corners + corners + 2] = "99";  // the first corner of the second polygon
+  const std::string message =
+      "vertex index 99 is out of range; there are 30 vertices, counted from 0";
+  EXPECT_EQ(complaint("m.off", wrapped(4)), "m.off: line 33: " + message);
+  EXPECT_EQ(complaint("m.off", wrapped(1)), "m.off: line 125: " + message);
+}
+
+// Whether all faces have one or not.
+TEST_F(LooseFiles, OffHasColoursOnTheLastLineOfAFace) {
+  const std::string vertices = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const TemporaryFolder folder;
+  const auto read_faces = [&](const char* faces) {
+    return read(folder.write("m.off", vertices + faces), {true});
+  };
+  for (const char* faces :
+       {"3 0 1 2 9 8 7\n3 0 2 3 6 5 4\n", "3 0\n1 2 9 8 7\n3\n0 2\n3 6 5 4 # f\n"}) {
+    const LoadedMesh loaded = read_faces(faces);
+    EXPECT_EQ(loaded.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+    ASSERT_EQ(loaded.properties.of_triangles.size(), 3U) << faces;
+    EXPECT_EQ(loaded.properties.of_triangles[1].values,
+              PropertyValues(std::vector<std::uint8_t>{8, 5}));
+  }
+  const LoadedMesh partly = read_faces("3 0 1 2 9 8 7\n3 0 2 3\n");
+  EXPECT_EQ(partly.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(partly.properties.left_out,
+            std::vector<std::string>{"colours of faces: 1 of 2 faces have none"});
+}
+
 const std::string strip_header =
     "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
