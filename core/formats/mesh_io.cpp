@@ -86,6 +86,7 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
   if (compression_of(bytes) != Compression::none) {
     fail_at_byte(name, 0, "the file is compressed more than once; unpack it first");
   }
+  if (format != MeshFormat::stl) refuse_utf16(bytes, name);  // STL may be binary: its reader knows
   ParsedMesh loaded = parse_as(format, bytes, name, options, folder);
   check_size(loaded.mesh, bytes.size(), name);
   check_extent(loaded.mesh, name);
@@ -94,6 +95,11 @@ LoadedMesh parse_mesh(MeshFormat format, std::string_view bytes, std::string_vie
                         loaded.properties);
   if (options.weld) weld(loaded);
   return static_cast<LoadedMesh&&>(loaded);
+}
+
+void refuse_utf16(std::string_view bytes, std::string_view name) {
+  if (!bytes.starts_with("\xff\xfe") && !bytes.starts_with("\xfe\xff")) return;
+  fail_at_byte(name, 0, "the file is UTF-16 text; save it as UTF-8");
 }
 
 void fail_at_byte(std::string_view name, std::size_t offset, const std::string& message) {

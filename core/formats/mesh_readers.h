@@ -45,6 +45,9 @@ ParsedMesh read_medit(std::string_view bytes, std::string_view name, const ReadO
 ParsedMesh read_gltf(std::string_view bytes, std::string_view name, const ReadOptions& options,
                      const std::filesystem::path* folder);
 
+/// Throws InvalidInput where the byte order mark of UTF-16 begins a text.
+void refuse_utf16(std::string_view bytes, std::string_view name);
+
 /// Throws InvalidInput "NAME: byte OFFSET: MESSAGE".
 [[noreturn]] void fail_at_byte(std::string_view name, std::size_t offset,
                                const std::string& message);

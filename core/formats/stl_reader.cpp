@@ -87,6 +87,7 @@ bool begins_as_ascii(std::string_view bytes, std::string_view name) {
 ParsedMesh read_stl(std::string_view bytes, std::string_view name) {
   // Some binary files begin with "solid" too, but then their size gives them away.
   const bool has_binary_size = bytes.size() >= header_size && bytes.size() == promised_size(bytes);
+  if (!has_binary_size) refuse_utf16(bytes, name);
   if (!has_binary_size && begins_as_ascii(bytes, name)) return read_ascii(bytes, name);
   return read_binary(bytes, name);
 }

@@ -43,6 +43,22 @@ const std::string stl_text =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
     "endloop\nendfacet\nendsolid s\n";
 
+std::string utf16(const std::string& text, bool is_big_endian = false) {
+  std::string bytes = is_big_endian ? "\xfe\xff" : "\xff\xfe";
+  for (const char c : text) bytes += is_big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return bytes;
+}
+
+// A triangle behind a title that begins so.
+std::string binary_stl(std::string title) {
+  title.resize(80, '\0');
+  const std::string zero(4, '\0');
+  const std::string one("\0\0\x80\x3f", 4);
+  std::string bytes = title + std::string("\1\0\0\0", 4) + zero + zero + one;
+  for (const std::string& corner : {zero + zero, one + zero, zero + one}) bytes += corner + zero;
+  return bytes + std::string(2, '\0');
+}
+
 std::string long_line() {
   std::string line = "v 0 0 0";
   for (int i = 0; i < 500'000; ++i) line += " 1";
@@ -95,7 +111,12 @@ const std::vector<OddFile> odd_files = {
     {"OtherExtension", "a.ply.xz", ply_text, "unknown extension '.xz'"},
     {"NoExtensionBeforeThatOfGzip", "a.gz", ply_text, "unknown extension ''"},
     {"UnpackedButNamedGzip", "a.ply.gz", ply_text, accepted},
-    {"Utf16", "a.obj", std::string("\xff\xfev\0 \0001\0", 8), "the file ends without a vertex"},
+    {"Utf16", "a.obj", utf16(obj_text), "a.obj: byte 0: the file is UTF-16 text; save it as UTF-8"},
+    {"Utf16OfTheOtherOrder", "a.obj", utf16(obj_text, true), "the file is UTF-16 text; save it as UTF-8"},
+    {"Utf16InOff", "a.off", utf16(windows(off_text)), "the file is UTF-16 text; save it as UTF-8"},
+    {"Utf16InPly", "a.ply", utf16(ply_text), "the file is UTF-16 text; save it as UTF-8"},
+    {"Utf16InStl", "a.stl", utf16(stl_text), "the file is UTF-16 text; save it as UTF-8"},
+    {"ByteOrderMarkInBinaryStl", "a.stl", binary_stl("\xff\xfes"), accepted},
     {"WindowsLineEndsInPly", "a.ply", windows(ply_text), accepted},
     {"WindowsLineEndsInObj", "a.obj", windows(obj_text), accepted},
     {"WindowsLineEndsInOff", "a.off", windows(off_text), accepted},
