@@ -33,6 +33,9 @@ inline constexpr std::array<MeshFormatFacts, 9> mesh_formats{{
 
 const MeshFormatFacts& facts_of(MeshFormat format);
 
+/// That what is written is no text.
+bool is_written_binary(MeshFormat format);
+
 /// Told by the extension (case-insensitive), before which one of a compression is passed over.
 /// Nothing where it is none of ours.
 std::optional<MeshFormat> known_format(const std::filesystem::path& path);

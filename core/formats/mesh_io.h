@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/mesh_formats.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/quad_pairs.h"
 #include "core/text/file_writer.h"
@@ -20,7 +21,12 @@ namespace geolloyd {
 /// corners have values of their own, welded vertices are split again.
 void write(FileWriter& out, const Mesh& mesh, const Properties& properties = {});
 
-/// Removes what write would pass over in a file of that name, and says so in `left_out`.
+/// The same in this format, whatever the name is.
+void write(FileWriter& out, MeshFormat format, const Mesh& mesh, const Properties& properties = {});
+
+/// Removes what write would pass over in this format, and says so in `left_out`.
+void keep_writable(MeshFormat format, Properties& properties);
+/// The same for a file of that name.
 void keep_writable(const std::filesystem::path& path, Properties& properties);
 
 /// PLY as write does, with these faces. A quadrilateral has the properties of its first

@@ -132,7 +132,10 @@ void check_float_range(const FileWriter& out, const Mesh& mesh, const char* form
 }
 
 void keep_writable(const std::filesystem::path& path, Properties& properties) {
-  const MeshFormat format = format_to_write(path);
+  keep_writable(format_to_write(path), properties);
+}
+
+void keep_writable(MeshFormat format, Properties& properties) {
   if (format == MeshFormat::ply || format == MeshFormat::vtp) return;
   const HeldProperties held(format, properties);
   const auto keep = [&](const std::vector<Property>& all, const char* what) {
@@ -155,11 +158,14 @@ void keep_writable(const std::filesystem::path& path, Properties& properties) {
 }
 
 void write(FileWriter& out, const Mesh& mesh, const Properties& properties) {
+  write(out, format_to_write(out.path()), mesh, properties);
+}
+
+void write(FileWriter& out, MeshFormat format, const Mesh& mesh, const Properties& properties) {
   if (!properties.corner_values.empty()) {  // each corner names a vertex that has its values
     const Mesh split{mesh.positions, properties.corner_values};
-    return write(out, split, {properties.of_vertices, properties.of_triangles, {}});
+    return write(out, format, split, {properties.of_vertices, properties.of_triangles, {}});
   }
-  const MeshFormat format = format_to_write(out.path());
   switch (format) {
     case MeshFormat::ply:
       return write_labelled_ply(out, mesh, {}, {}, properties);

@@ -112,6 +112,16 @@ OutputFile::OutputFile(std::filesystem::path path)
   if (replaces) (void)::fchmod(::fileno(file_.get()), status.st_mode & permissions);
 }
 
+OutputFile::OutputFile(int descriptor, const std::string& name)
+    : path_(name), target_(path_), is_stream_(true) {
+  const int own = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (own >= 0) file_.reset(::fdopen(own, "wb"));
+  if (file_) return;
+  const int error = errno;
+  if (own >= 0) ::close(own);
+  fail(path_, "cannot write", error);
+}
+
 void OutputFile::open() {
   file_.reset(open_unnamed(target_.parent_path()));
   if (file_) return;
@@ -152,6 +162,7 @@ void OutputFile::finish() {
 
 void OutputFile::commit() {
   finish();
+  if (is_stream_) return file_.reset();
   // In one step where nothing bears the name: a signal finds no other. No file can be linked over
   // another, but any can be renamed over one.
   const auto link_to = [&](const std::filesystem::path& name) {

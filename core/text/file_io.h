@@ -24,6 +24,9 @@ std::string read_standard_input(const std::string& name);
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
+  /// What an open descriptor leads to, such as a pipe: no name is its own, so all that is written
+  /// goes there as it comes, and commit() only finishes. Messages call it `name`.
+  OutputFile(int descriptor, const std::string& name);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -54,6 +57,7 @@ class OutputFile {
   std::filesystem::path temporary_;
   std::unique_ptr<std::FILE, Close> file_;
   bool has_name_ = false;  ///< temporary_
+  bool is_stream_ = false;
 };
 
 }  // namespace geolloyd

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ class FileWriter {
  public:
   explicit FileWriter(std::filesystem::path path)
       : path_(std::move(path)), file_(path_), packer_(make_packer(path_, file_)) {}
+  /// Onto an open descriptor (file_io.h), and not packed.
+  FileWriter(int descriptor, const std::string& name) : path_(name), file_(descriptor, name) {}
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Where the file will be: path(), or what it links to.

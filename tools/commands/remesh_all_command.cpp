@@ -196,8 +196,8 @@ class RemeshingAll {
     RemeshRequest request = arguments_.each.request;
     request.mesh = tasks_[task].input;
     RemeshFiles names;
-    names.remesh = tasks_[task].output;
-    if (arguments_.has_reports) names.report = names.remesh.string() + ".json";
+    names.remesh.file = tasks_[task].output;
+    if (arguments_.has_reports) names.report = names.remesh.file.string() + ".json";
     Scheduler scheduler(threads_for(task), arguments_.each.threads.backend);
     ProgressLine silent = ProgressLine::silent();
     const auto check_memory = [&](std::uint64_t bytes) {
@@ -207,7 +207,7 @@ class RemeshingAll {
     RemeshedInput done = remesh_input(request, std::nullopt, arguments_.each.engine, check_memory,
                                       scheduler, silent);
     if (done.result.made.remesh.interrupted) return;
-    keep_writable(names.remesh, done.result.properties);
+    keep_writable(names.remesh.file, done.result.properties);
     const Stopwatch writing;
     FileGroup files = open_remesh_files(names);
     write_remesh(names, done.result, files);

@@ -27,12 +27,12 @@
 namespace geolloyd {
 namespace {
 
-void run_remesh(RemeshArguments& arguments, const Console& console) {
-  const RemeshFiles& names = arguments.files;
+void run_remesh(RemeshArguments& arguments, Console& console) {
+  RemeshFiles& names = arguments.files;
   if (!names.page.empty()) check_viewer();
   check_remesh(arguments);
   const RemeshRequest& request = arguments.request;
-  check_remesh_targets(names, request.files());
+  prepare_remesh_targets(names, request, console);
   const Stopwatch total;
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
@@ -46,9 +46,9 @@ void run_remesh(RemeshArguments& arguments, const Console& console) {
   RemeshResult& result = done.result;
   const Remesh& remesh = result.made.remesh;
   const SurfaceColours colours = colours_of(result.properties);
-  keep_writable(names.remesh, result.properties);
+  keep_writable(format_to_write(names.remesh), result.properties);
 
-  progress.stage("writing " + names.remesh.string());
+  progress.stage("writing " + names.remesh.name());
   const Stopwatch writing;
   FileGroup files = open_remesh_files(names);
   write_remesh(names, result, files);
@@ -83,9 +83,7 @@ void add_remesh_command(CLI::App& program, Console& console) {
   RemeshFiles& files = a->files;
   command->add_option("MESH", request.mesh, input_mesh_text)->type_name("")->required();
   add_fineness_options(*command, request);
-  command->add_option("-o,--output", files.remesh, "File for the remesh: " + output_mesh_text)
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*command, files.remesh, "File for the remesh");
   command->add_option("--report", files.report, "JSON file for all figures")->type_name("FILE");
   command
       ->add_option("--map", files.map,

@@ -21,6 +21,7 @@
 #include "tools/commands/commands.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
+#include "tools/files/mesh_target.h"
 #include "tools/files/output_folder.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
@@ -40,13 +41,13 @@ struct RepairCommandArguments {
   MeshReading reading;
   RepairArguments repair;
   ThreadArguments threads;
-  std::filesystem::path output;
+  MeshTarget output;
   std::filesystem::path map_file;     // empty: none
   std::filesystem::path report_file;  // empty: none
 
-  // The repaired mesh first.
-  [[nodiscard]] std::vector<std::filesystem::path> outputs() const {
-    std::vector<std::filesystem::path> files = {output};
+  // Those beside the repaired mesh.
+  [[nodiscard]] std::vector<std::filesystem::path> other_outputs() const {
+    std::vector<std::filesystem::path> files;
     for (const auto& file : {map_file, report_file}) {
       if (!file.empty()) files.push_back(file);
     }
@@ -54,10 +55,11 @@ struct RepairCommandArguments {
   }
 };
 
-void check_targets(const RepairCommandArguments& arguments) {
-  (void)format_to_write(arguments.output);
+void prepare_targets(RepairCommandArguments& arguments, Console& console) {
   std::vector<std::filesystem::path> others = {arguments.mesh};
-  for (const auto& file : arguments.outputs()) {
+  prepare_target(arguments.output, arguments.reading.format, others, console);
+  others.push_back(arguments.output.file);
+  for (const auto& file : arguments.other_outputs()) {
     check_target(file, others);
     others.push_back(file);
   }
@@ -69,8 +71,8 @@ void write_origins(const RepairedMesh& repaired, FileWriter& out) {
     write_row(out, v, repaired.vertex_origin[v]);
 }
 
-void run_repair(const RepairCommandArguments& arguments, const Console& console) {
-  check_targets(arguments);
+void run_repair(RepairCommandArguments& arguments, Console& console) {
+  prepare_targets(arguments, console);
   const Stopwatch total;
   ProgressLine progress(console);
   Scheduler scheduler = make_scheduler(arguments.threads);
@@ -86,13 +88,14 @@ void run_repair(const RepairCommandArguments& arguments, const Console& console)
   const MeshFacts facts = check_mesh(repaired.mesh, edges, scheduler);
   const MeshTopology topology = find_topology(repaired.mesh, edges);
 
-  progress.stage("writing " + arguments.output.string());
-  const std::vector<std::filesystem::path> names = arguments.outputs();
-  FileGroup files(names);
+  progress.stage("writing " + arguments.output.name());
+  const std::vector<std::filesystem::path> others = arguments.other_outputs();
+  FileGroup files(arguments.output, others);
   Properties carried = follow_origins(given.loaded.properties, repaired.mesh,
                                       repaired.vertex_origin, repaired.triangle_origin);
-  keep_writable(arguments.output, carried);
-  write(files[0], repaired.mesh, carried);
+  const MeshFormat format = format_to_write(arguments.output);
+  keep_writable(format, carried);
+  write(files[0], format, repaired.mesh, carried);
   if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
   const Json report = {{"command", "repair"},
                        {"program", program_name()},
@@ -107,7 +110,7 @@ void run_repair(const RepairCommandArguments& arguments, const Console& console)
                        {"topology", topology_part(topology)},
                        {"is_manifold", topology.is_manifold()},
                        {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
-  if (!arguments.report_file.empty()) files[names.size() - 1].text(json_text(report));
+  if (!arguments.report_file.empty()) files[others.size()].text(json_text(report));
   files.commit();
   if (console.wants_json()) console.print_json(json_text(report));
   progress.clear();
@@ -119,9 +122,9 @@ void run_repair(const RepairCommandArguments& arguments, const Console& console)
              counted(facts.triangles, "triangle", "triangles"),
              counted(facts.components, "component", "components"), facts.euler_characteristic,
              describe(topology), facts.area);
-  fmt::print("  {:<12}{:.2f} s: repair {:.2f}\n  {:<11}", "time", total.seconds(), seconds,
-             "written");
-  for (const auto& name : names) fmt::print(" {}", name.string());
+  fmt::print("  {:<12}{:.2f} s: repair {:.2f}\n  {:<11} {}", "time", total.seconds(), seconds,
+             "written", arguments.output.name());
+  for (const auto& name : others) fmt::print(" {}", name.string());
   fmt::print("\n");
 }
 
@@ -132,9 +135,7 @@ void add_repair_command(CLI::App& program, Console& console) {
       "repair", "Repair a mesh: duplicates, cracks, slivers, orientations, small holes");
   const auto a = std::make_shared<RepairCommandArguments>();
   command->add_option("MESH", a->mesh, input_mesh_text)->type_name("")->required();
-  command->add_option("-o,--output", a->output, "File for the repaired mesh:\n" + output_mesh_text)
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*command, a->output, "File for the repaired mesh");
   command
       ->add_option("--map", a->map_file,
                    "CSV file that tells which vertex of the input each vertex was")

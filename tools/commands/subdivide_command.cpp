@@ -11,7 +11,7 @@
 #include "tools/cli/reading_options.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
-#include "tools/files/output_folder.h"
+#include "tools/files/mesh_target.h"
 #include "tools/report/written_mesh.h"
 #include "tools/run/input.h"
 #include "tools/system/memory_estimate.h"
@@ -36,7 +36,7 @@ const std::vector<Named<Scheme>> scheme_names = {
 struct SubdivideArguments {
   std::filesystem::path mesh;
   MeshReading reading;
-  std::filesystem::path output;
+  MeshTarget output;
   std::vector<Scheme> schemes;
 };
 
@@ -64,15 +64,13 @@ void add_subdivide_command(CLI::App& program, Console& console) {
                   "midpoint splits a triangle into 4, barycentric into 6; schemes separated\n"
                   "by commas are applied in turn")
       ->required();
-  command->add_option("-o,--output", arguments->output, "File to write: " + output_mesh_text)
-      ->type_name("FILE")
-      ->required();
+  add_output_option(*command, arguments->output, "File to write");
   add_json_option(*command, console);
   add_reading_options(*command, arguments->reading);
   command->callback([arguments, &console] {
-    check_mesh_target(arguments->output, arguments->mesh);
+    prepare_target(arguments->output, arguments->reading.format, {&arguments->mesh, 1}, console);
     Mesh mesh = read_within_limits(arguments->mesh, {false, arguments->reading}).mesh;
-    check_memory(arguments->output.string(), mesh, arguments->schemes, console);
+    check_memory(arguments->output.name(), mesh, arguments->schemes, console);
     for (const Scheme& scheme : arguments->schemes) {
       mesh = scheme.subdivide(mesh);
     }

@@ -8,6 +8,11 @@ FileGroup::FileGroup(std::span<const std::filesystem::path> paths) {
   for (const auto& path : paths) files_.push_back(std::make_unique<FileWriter>(path));
 }
 
+FileGroup::FileGroup(const MeshTarget& mesh, std::span<const std::filesystem::path> others) {
+  files_.push_back(open_target(mesh));
+  for (const auto& path : others) files_.push_back(std::make_unique<FileWriter>(path));
+}
+
 FileGroup::FileGroup(const std::filesystem::path& folder, std::span<const char* const> names) {
   for (const char* name : names) files_.push_back(std::make_unique<FileWriter>(folder / name));
 }

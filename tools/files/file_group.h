@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/text/file_writer.h"
+#include "tools/files/mesh_target.h"
 
 namespace geolloyd {
 
@@ -15,6 +16,8 @@ namespace geolloyd {
 class FileGroup {
  public:
   explicit FileGroup(std::span<const std::filesystem::path> paths);
+  /// A mesh first, then others.
+  FileGroup(const MeshTarget& mesh, std::span<const std::filesystem::path> others);
   /// In one folder.
   FileGroup(const std::filesystem::path& folder, std::span<const char* const> names);
 

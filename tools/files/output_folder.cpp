@@ -2,7 +2,6 @@
 
 #include <system_error>
 
-#include "core/formats/mesh_formats.h"
 #include "core/text/file_io.h"
 #include "geolloyd/errors.h"
 #include "tools/files/folder_lock.h"
@@ -28,11 +27,6 @@ void check_target(const std::filesystem::path& target,
       throw InvalidInput(other.string() + ": would be overwritten: write somewhere else");
     }
   }
-}
-
-void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other) {
-  (void)format_to_write(target);
-  check_target(target, std::span(&other, 1));
 }
 
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,

@@ -10,10 +10,6 @@ namespace geolloyd {
 void check_target(const std::filesystem::path& target,
                   std::span<const std::filesystem::path> others);
 
-/// The same for a mesh that is made from another, or from none (empty); also that its format is one
-/// of ours.
-void check_mesh_target(const std::filesystem::path& target, const std::filesystem::path& other);
-
 /// Makes the folder, locks it (folder_lock.h) and checks each target in it, before hours of work
 /// depend on it.
 void prepare_folder(const std::filesystem::path& folder, std::span<const char* const> names,

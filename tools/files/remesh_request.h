@@ -9,6 +9,7 @@
 #include "geolloyd/remesh.h"
 #include "geolloyd/repair.h"
 #include "tools/files/mesh_reading.h"
+#include "tools/files/mesh_target.h"
 
 namespace geolloyd {
 
@@ -36,7 +37,7 @@ struct RemeshRequest {
 
 /// The files of a remesh; all but the first may be empty.
 struct RemeshFiles {
-  std::filesystem::path remesh;
+  MeshTarget remesh;
   std::filesystem::path map;
   std::filesystem::path report;
   std::filesystem::path picture;

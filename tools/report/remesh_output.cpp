@@ -24,9 +24,9 @@
 namespace geolloyd {
 namespace {
 
-// Those of a run, the mesh first. The last one tells scripts that all are there.
-std::vector<std::filesystem::path> files_of(const RemeshFiles& names) {
-  std::vector<std::filesystem::path> files = {names.remesh};
+// Those of a run, beside the mesh. The last one tells scripts that all are there.
+std::vector<std::filesystem::path> other_files_of(const RemeshFiles& names) {
+  std::vector<std::filesystem::path> files;
   for (const auto& file : {names.map, names.report}) {
     if (!file.empty()) files.push_back(file);
   }
@@ -182,8 +182,9 @@ std::string describe_cost(const LoadedInput& loaded, const RemeshResult& result)
 }
 
 std::string describe_files(const RemeshFiles& names) {
-  std::string written;
-  for (const auto& file : files_of(names)) written.append(" ").append(file.string());
+  std::string written(" ");
+  written.append(names.remesh.name());
+  for (const auto& file : other_files_of(names)) written.append(" ").append(file.string());
   std::string text = fmt::format("  {:<11}{}\n", "written", written);
   if (!names.picture.empty()) text += continued(names.picture.string());
   return text;
@@ -269,22 +270,24 @@ Json trace_part(const Remesh& remesh) {
 
 }  // namespace
 
-void check_remesh_targets(const RemeshFiles& names, std::vector<std::filesystem::path> inputs) {
-  (void)format_to_write(names.remesh);
-  for (const auto& file : {names.remesh, names.map, names.report, names.picture, names.page}) {
+void prepare_remesh_targets(RemeshFiles& names, const RemeshRequest& request, Console& console) {
+  std::vector<std::filesystem::path> others = request.files();
+  prepare_target(names.remesh, request.reading.format, others, console);
+  others.push_back(names.remesh.file);
+  for (const auto& file : {names.map, names.report, names.picture, names.page}) {
     if (file.empty()) continue;
-    check_target(file, inputs);
-    inputs.push_back(file);
+    check_target(file, others);
+    others.push_back(file);
   }
 }
 
 FileGroup open_remesh_files(const RemeshFiles& names) {
-  return FileGroup(files_of(names));
+  return {names.remesh, other_files_of(names)};
 }
 
 void write_remesh(const RemeshFiles& names, const RemeshResult& result, FileGroup& files) {
   const Remesh& remesh = result.made.remesh;
-  write(files[0], remesh.mesh, result.properties);
+  write(files[0], format_to_write(names.remesh), remesh.mesh, result.properties);
   if (!names.map.empty()) write_map(remesh, files[1]);
 }
 

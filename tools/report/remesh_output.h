@@ -14,7 +14,7 @@ namespace geolloyd {
 
 /// Makes sure that all files can be written, and that none would replace an input or another,
 /// before any work depends on it. Throws Error.
-void check_remesh_targets(const RemeshFiles& names, std::vector<std::filesystem::path> inputs);
+void prepare_remesh_targets(RemeshFiles& names, const RemeshRequest& request, Console& console);
 
 /// The remesh, the map and the report, as far as they are asked for, in this order.
 FileGroup open_remesh_files(const RemeshFiles& names);

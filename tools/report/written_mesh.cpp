@@ -9,16 +9,16 @@
 
 namespace geolloyd {
 
-void print_written_mesh(const std::string& command, const std::filesystem::path& file,
-                        const Mesh& mesh, const Console& console) {
+void print_written_mesh(const std::string& command, const MeshTarget& target, const Mesh& mesh,
+                        const Console& console) {
   if (console.wants_json()) {
     console.print_json(json_text({{"program", program_name()},
                                   {"command", command},
-                                  {"output", file.string()},
+                                  {"output", target.file.string()},
                                   {"vertices", mesh.vertex_count()},
                                   {"triangles", mesh.triangle_count()}}));
   }
-  fmt::print("{}: {} vertices, {} triangles\n", file.string(), grouped(mesh.vertex_count()),
+  fmt::print("{}: {} vertices, {} triangles\n", target.name(), grouped(mesh.vertex_count()),
              grouped(mesh.triangle_count()));
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/mesh/mesh.h"
+#include "tools/files/mesh_target.h"
 #include "tools/system/console.h"
 
 namespace geolloyd {
 
 /// What the commands print that write a mesh and measure nothing: its size.
-void print_written_mesh(const std::string& command, const std::filesystem::path& file,
-                        const Mesh& mesh, const Console& console);
+void print_written_mesh(const std::string& command, const MeshTarget& target, const Mesh& mesh,
+                        const Console& console);
 
 }  // namespace geolloyd

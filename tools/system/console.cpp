@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <string_view>
 #include <system_error>
@@ -24,15 +25,33 @@ void lead_nowhere() {
 
 }  // namespace
 
+void Console::keep_standard_output() {
+  if (standard_output_ >= 0) return;
+  standard_output_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (standard_output_ < 0) fail();
+}
+
 void Console::silence() {
+  keep_standard_output();
   is_silent_ = true;
   lead_nowhere();
 }
 
 void Console::want_json() {
-  standard_output_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-  if (standard_output_ < 0) fail();
+  keep_standard_output();
+  wants_json_ = true;
   lead_nowhere();
+}
+
+int Console::lend_standard_output() {
+  if (wants_json_) {
+    throw InvalidInput("standard output: takes the mesh or --json, not both: name a file");
+  }
+  keep_standard_output();
+  if (::write(standard_output_, "", 0) < 0) fail();
+  if (!is_silent_ && ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail();
+  std::signal(SIGPIPE, SIG_IGN);
+  return standard_output_;
 }
 
 void Console::print_json(const std::string& text) const {

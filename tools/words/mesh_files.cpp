@@ -28,6 +28,7 @@ const std::vector<Named<MeshFormat>> written_format_names =
 
 const std::string input_mesh_text =
     "Mesh file: " + listed(read_format_names) + ";\nalso packed as .gz or .zst; -: standard input";
-const std::string output_mesh_text = listed(written_format_names) + ", also .gz or .zst";
+const std::string output_mesh_text =
+    listed(written_format_names) + ",\nalso .gz or .zst; -: standard output";
 
 }  // namespace geolloyd
