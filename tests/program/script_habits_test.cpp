@@ -26,7 +26,8 @@ class ScriptHabits : public Program {
             "batch " + mesh + " -k 8 --batches 1 --graphs vertex --greedy off",
             "remesh-all " + mesh + " -n 12 -o " + in("all"),
             "generate torus -t 500 -o " + in("t.ply"),
-            "subdivide " + mesh + " -s midpoint -o " + in("s.ply")};
+            "subdivide " + mesh + " -s midpoint -o " + in("s.ply"),
+            "convert " + mesh + " " + in("c.obj")};
   }
 };
 

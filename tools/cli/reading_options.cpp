@@ -32,7 +32,7 @@ void add_output_format_option(CLI::App& command, MeshTarget& target) {
          written_format_names);
 }
 
-void add_reading_options(CLI::App& command, MeshReading& reading) {
+void add_format_option(CLI::App& command, MeshReading& reading) {
   const auto set = [&reading](const std::string& name) {
     reading.format = value_of(read_format_names, name);
   };
@@ -40,6 +40,10 @@ void add_reading_options(CLI::App& command, MeshReading& reading) {
              "--format", set,
              "Format of a mesh whose name does not tell it, as that of\nstandard input (-)"),
          read_format_names);
+}
+
+void add_reading_options(CLI::App& command, MeshReading& reading) {
+  add_format_option(command, reading);
   add_weld_option(command, reading);
 }
 

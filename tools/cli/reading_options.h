@@ -10,6 +10,8 @@ namespace geolloyd {
 
 /// Adds --format and --no-weld to a command that reads a mesh.
 void add_reading_options(CLI::App& command, MeshReading& reading);
+/// Adds --format alone, where nothing is welded.
+void add_format_option(CLI::App& command, MeshReading& reading);
 /// Adds -o, called so: `what` is written there.
 void add_output_option(CLI::App& command, MeshTarget& target, const std::string& what);
 /// Adds --output-format, which add_output_option adds, too.

@@ -16,6 +16,7 @@ void add_verify_command(CLI::App& program, Console& console);
 void add_ground_truth_command(CLI::App& program, Console& console);
 void add_generate_command(CLI::App& program, Console& console);
 void add_subdivide_command(CLI::App& program, Console& console);
+void add_convert_command(CLI::App& program, Console& console);
 void add_info_command(CLI::App& program, Console& console);
 void add_repair_command(CLI::App& program, Console& console);
 void add_quality_command(CLI::App& program, Console& console);

@@ -136,6 +136,7 @@ void run(int argc, char** argv) {
   geolloyd::add_ground_truth_command(program, console);
   geolloyd::add_generate_command(program, console);
   geolloyd::add_subdivide_command(program, console);
+  geolloyd::add_convert_command(program, console);
   geolloyd::add_info_command(program, console);
   geolloyd::add_repair_command(program, console);
   geolloyd::add_quality_command(program, console);

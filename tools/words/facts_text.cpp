@@ -28,6 +28,12 @@ std::string counted(std::uint64_t number, const char* singular, const char* plur
   return grouped(number) + " " + (number == 1 ? singular : plural);
 }
 
+std::string describe_reading(const LoadedMesh& input) {
+  return finding(input.polygon_count, "polygons: split into triangles") +
+         finding(input.welded_corners, "repeated corners: welded") +
+         finding(input.welded_vertices, "vertices in the places of others: welded");
+}
+
 std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy handled_by) {
   std::string text = fmt::format(
       "  {:<12}{}: {}, {}, {}\n"
@@ -45,9 +51,7 @@ std::string describe(const LoadedMesh& input, const MeshFacts& facts, HandledBy 
                                                : "";
     text += finding(count, what);
   };
-  text += finding(input.polygon_count, "polygons: split into triangles");
-  text += finding(input.welded_corners, "repeated corners: welded");
-  text += finding(input.welded_vertices, "vertices in the places of others: welded");
+  text += describe_reading(input);
   found(facts.unreferenced_vertices, "vertices of no triangle", ": get no region", ": left out");
   found(facts.repeated_vertex_triangles, "triangles naming a vertex twice", ": get no region",
         ": left out");

@@ -18,6 +18,9 @@ enum class HandledBy { graph, surface, repair };
 std::string describe(const LoadedMesh& input, const MeshFacts& facts,
                      HandledBy handled_by = HandledBy::graph);
 
+/// What reading a mesh had to do, a line for each kind.
+std::string describe_reading(const LoadedMesh& input);
+
 /// What a repair did, a line for each kind.
 std::string describe(const Repairs& repairs);
 /// What was carried over from a mesh, and what was left out; nothing where there is neither.
