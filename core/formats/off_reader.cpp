@@ -124,6 +124,7 @@ class OffProperties {
   void finish(Properties& properties) {
     static constexpr std::array<const char*, 3> normal_names = {"nx", "ny", "nz"};
     static constexpr std::array<const char*, 2> texture_names = {"s", "t"};
+    if (!is_wanted_) return;
     vertex_colours_.finish(properties.of_vertices, properties.left_out);
     for (std::size_t i = 0; i < normals_; ++i) {
       properties.of_vertices.push_back({normal_names[i], std::move(normal_[i])});

@@ -68,6 +68,21 @@ TEST_F(SplitVertices, AreWeldedInEveryFormat) {
   }
 }
 
+// Normals and texture coordinates that nobody asks for do not keep vertices apart.
+TEST_F(SplitVertices, AreWeldedWithoutTheirProperties) {
+  const std::string bytes =
+      "STNOFF\n6 2 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 0 0\n1 1 0 0 0 1 0 0\n"
+      "0 0 0 0 1 0 0 0\n1 1 0 0 1 0 0 0\n0 1 0 0 1 0 0 0\n3 0 1 2\n3 3 4 5\n";
+  const LoadedMesh bare = load("m.off", bytes);
+  EXPECT_EQ(bare.mesh.triangles, split_whole);
+  EXPECT_TRUE(bare.properties.empty());
+  EXPECT_TRUE(bare.properties.corner_values.empty());
+  const LoadedMesh whole = load_all("m.off", bytes);
+  EXPECT_EQ(whole.mesh.triangles, split_whole);
+  EXPECT_EQ(whole.properties.of_vertices.size(), 5U);
+  EXPECT_EQ(whole.properties.corner_values, split_apart);
+}
+
 TEST_F(SplitVertices, OfGltfStayApartOnRequest) {
   const std::filesystem::path file = folder_.path() / "m.glb";
   write(file, {load_all("m.ply", split_ply).mesh.positions, split_apart});
