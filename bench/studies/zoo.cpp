@@ -103,13 +103,15 @@ std::vector<Measure> measures() {
   return {
       {"a manifold of the true topology, all triangles with an area",
        [](const Row& row) { return row.verdict.is_sound(); }},
+      {"no triangles that go through each other",
+       [](const Row& row) { return row.verdict.crossings == 0; }},
       {"at most 5 % more vertices than wanted", whole},
       {"six neighbours at 85 % of the vertices",
        [](const Row& row) { return row.verdict.valence_6 >= 0.85; }},
-      {"smallest angle 20 degrees, or 9 tenths of what the part forces",
+      {"smallest angle 20 degrees, or three quarters of what the part forces",
        [](const Row& row) {
          return row.verdict.smallest_angle >=
-                std::min(least_angle, 0.9 * row.part.truth.forced_angle);
+                std::min(least_angle, 0.75 * row.part.truth.forced_angle);
        }},
       {"volume within 1 %",
        [](const Row& row) { return std::abs(row.verdict.volume_error) <= 0.01; }},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "bench/zoo/crossings.h"
 #include "bench/zoo/kept_edges.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/seams/stitching.h"
@@ -30,6 +31,7 @@ void judge_shape(const Mesh& mesh, const Truth& truth, const Remesh& remesh, Ver
     const auto& p = remesh.mesh.positions;
     verdict.flat += flatness(p[a], p[b], p[c]) > flat ? 0 : 1;
   }
+  verdict.crossings = count_crossings(remesh.mesh);
   const MeshQuality found = quality(remesh.mesh);
   verdict.smallest_angle = found.smallest_angle;
   verdict.valence_6 = found.share_valence_6;

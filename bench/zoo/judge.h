@@ -17,6 +17,7 @@ struct Verdict {
   bool has_topology = false;  ///< parts and their Euler characteristics
   std::size_t parts = 0;
   std::size_t flat = 0;                     ///< triangles without area
+  std::size_t crossings = 0;                ///< pairs of triangles that go through each other
   double smallest_angle = 0;                ///< degrees
   double valence_6 = 0;                     ///< share of the vertices
   double volume_error = 0;                  ///< as a share

@@ -63,7 +63,7 @@ KeptEdges::KeptEdges(const Truth& truth, const Mesh& remesh, double diagonal)
     creases_.push_back({remesh.positions[a], remesh.positions[b]});
   }
   for (const Sample& sample : samples_of(truth.sharp)) {
-    if (!is_beside_wide_faces(sample)) continue;
+    if (is_on_narrow_rim(sample.place) || !is_beside_wide_faces(sample)) continue;
     ++counted_;
     kept_ += has_crease(sample.place) ? 1 : 0;
   }
@@ -104,6 +104,15 @@ bool KeptEdges::is_beside_wide_faces(const Sample& sample) const {
       return dot(between, between) < reach * reach &&
              distance_between(way, edge.ends) < met * spacing_;
     });
+  });
+}
+
+bool KeptEdges::is_on_narrow_rim(const Vec3& place) const {
+  return std::any_of(truth_.rims.begin(), truth_.rims.end(), [&](const std::vector<Vec3>& rim) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : rim) middle += p / static_cast<double>(rim.size());
+    const double radius = norm(rim[0] - middle);
+    return 2 * radius < spacing_ && norm(place - middle) < 1.001 * radius;
   });
 }
 

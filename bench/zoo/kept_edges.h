@@ -9,7 +9,8 @@
 namespace geolloyd::zoo {
 
 /// How much of the sharp edges of a part a remesh has. Counted are those between faces that are
-/// wider than an edge of the remesh, for nothing smaller can be asked of it.
+/// wider than an edge of the remesh, for nothing smaller can be asked of it; rims are narrower
+/// where their diameter is.
 class KeptEdges {
  public:
   KeptEdges(const Truth& truth, const Mesh& remesh, double diagonal);
@@ -29,6 +30,7 @@ class KeptEdges {
 
   [[nodiscard]] std::vector<Sample> samples_of(const std::vector<SharpEdge>& sharp) const;
   [[nodiscard]] bool is_beside_wide_faces(const Sample& sample) const;
+  [[nodiscard]] bool is_on_narrow_rim(const Vec3& place) const;
   [[nodiscard]] bool has_crease(const Vec3& place) const;
   void count_on_rims(const Mesh& remesh);
 

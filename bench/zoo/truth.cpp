@@ -12,13 +12,14 @@ namespace {
 
 class TruthFinder {
  public:
+  // A closed one.
   explicit TruthFinder(const Mesh& mesh)
       : mesh_(mesh), edges_(find_edges(mesh)), is_sharp_(3 * mesh.triangle_count(), 0) {
     for (std::size_t e = 0; e < edges_.size(); ++e) look_at(e);
   }
 
   void write(Truth& truth) {
-    truth.forced_angle = std::min(60.0, smallest_sector() * 180 / std::numbers::pi);
+    truth.forced_angle = std::min(60.0, smallest_angle() * 180 / std::numbers::pi);
     truth.sharp = std::move(sharp_);
   }
 
@@ -38,7 +39,6 @@ class TruthFinder {
 
   void look_at(std::size_t e) {
     const auto corners = edges_.corners(e);
-    if (corners.size() != 2) return;
     if (dot(normal_of(triangle_of(corners[0])), normal_of(triangle_of(corners[1]))) >
         sharp_cosine) {
       return;
@@ -56,33 +56,37 @@ class TruthFinder {
     return std::atan2(norm(cross(a, b)), dot(a, b));
   }
 
-  // The corner of the next triangle at the same vertex, across the edge to this one's end.
-  [[nodiscard]] CornerId next_around(CornerId corner, const std::vector<CornerId>& opposite) const {
-    const CornerId beyond = opposite[corner_at_start(corner)];
-    return corner_at_start(beyond);
+  // From this corner on, around its vertex, up to a sharp edge or all the way.
+  struct Sector {
+    double angle = 0;
+    bool is_whole = false;
+  };
+  [[nodiscard]] Sector sector_from(CornerId corner, const std::vector<CornerId>& opposite) const {
+    Sector sector{angle_at(corner), false};
+    CornerId at = corner;
+    while (is_sharp_[corner_at_start(at)] == 0) {
+      at = corner_at_start(opposite[corner_at_start(at)]);
+      if (at == corner) return {sector.angle, true};
+      sector.angle += angle_at(at);
+    }
+    return sector;
   }
 
-  // At a vertex between two sharp edges that follow each other, without crossing one.
-  [[nodiscard]] double smallest_sector() const {
+  // That a vertex must have: between two sharp edges that follow each other, or one of the three
+  // at the least around a tip.
+  [[nodiscard]] double smallest_angle() const {
     std::vector<CornerId> opposite(is_sharp_.size(), no_id);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto corners = edges_.corners(e);
-      if (corners.size() != 2) continue;
       opposite[corners[0]] = corners[1];
       opposite[corners[1]] = corners[0];
     }
     double smallest = std::numbers::pi;
     for (CornerId c = 0; c < is_sharp_.size(); ++c) {
       const bool begins_at_sharp = is_sharp_[corner_at_end(c)] != 0;
-      if (!begins_at_sharp) continue;
-      double sum = angle_at(c);
-      CornerId at = c;
-      while (is_sharp_[corner_at_start(at)] == 0 && opposite[corner_at_start(at)] != no_id) {
-        at = next_around(at, opposite);
-        if (at == c) break;
-        sum += angle_at(at);
-      }
-      smallest = std::min(smallest, sum);
+      const Sector sector = sector_from(c, opposite);
+      if (begins_at_sharp) smallest = std::min(smallest, sector.angle);
+      if (sector.is_whole) smallest = std::min(smallest, sector.angle / 3);
     }
     return smallest;
   }
