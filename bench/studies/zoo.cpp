@@ -2,6 +2,7 @@
 // zoo [--vertices N] [NAME...] prints tables in Markdown.
 // zoo --write FOLDER [NAME...] writes the parts as PLY instead.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -95,7 +96,6 @@ struct Measure {
 };
 
 std::vector<Measure> measures() {
-  static constexpr double least_angle = 20;
   const auto whole = [](const Row& row) {
     return static_cast<double>(row.verdict.vertices) <=
            1.05 * static_cast<double>(row.verdict.wanted);
@@ -109,10 +109,7 @@ std::vector<Measure> measures() {
       {"six neighbours at 85 % of the vertices",
        [](const Row& row) { return row.verdict.valence_6 >= 0.85; }},
       {"smallest angle 20 degrees, or three quarters of what the part forces",
-       [](const Row& row) {
-         return row.verdict.smallest_angle >=
-                std::min(least_angle, 0.75 * row.part.truth.forced_angle);
-       }},
+       [](const Row& row) { return row.verdict.smallest_angle >= row.verdict.wanted_angle; }},
       {"volume within 1 %",
        [](const Row& row) { return std::abs(row.verdict.volume_error) <= 0.01; }},
       {"Hausdorff within 1 % of the diagonal",
@@ -146,31 +143,46 @@ void print_summary(const std::vector<Row>& rows) {
   }
 }
 
-void run(const Arguments& arguments) {
-  std::vector<Row> rows;
-  const auto is_asked = [&](const std::string& name) {
-    const auto& names = arguments.names;
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!arguments.folder.empty()) std::filesystem::create_directories(arguments.folder);
-  if (arguments.folder.empty()) {
-    std::puts(
-        "| part | kind | triangles | vertices | angle | v6, % | volume off, % | Hausdorff, % | "
-        "edges kept, % | on a rim "
-        "| parts | warnings | CPU s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+std::vector<zoo::Cage> asked_for(const std::vector<std::string>& names) {
+  std::vector<zoo::Cage> cages = zoo::zoo();
+  for (const std::string& name : names) {
+    const bool is_known = std::any_of(cages.begin(), cages.end(),
+                                      [&](const zoo::Cage& cage) { return cage.name == name; });
+    if (!is_known) throw std::invalid_argument(name + " is no part of the zoo");
   }
-  for (const zoo::Cage& cage : zoo::zoo()) {
-    if (!is_asked(cage.name)) continue;
+  std::erase_if(cages, [&](const zoo::Cage& cage) {
+    return !names.empty() && std::find(names.begin(), names.end(), cage.name) == names.end();
+  });
+  return cages;
+}
+
+void write_parts(const std::vector<zoo::Cage>& cages, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const zoo::Cage& cage : cages) write(folder / (cage.name + ".ply"), cage.make().mesh);
+}
+
+void judge_parts(const std::vector<zoo::Cage>& cages, std::size_t vertices) {
+  std::puts(
+      "| part | kind | triangles | vertices | angle | v6, % | volume off, % | Hausdorff, % | edges "
+      "kept, % | on a rim | parts | warnings | CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+  std::vector<Row> rows;
+  for (const zoo::Cage& cage : cages) {
     zoo::Part part = cage.make();
-    if (!arguments.folder.empty()) {
-      write(arguments.folder / (cage.name + ".ply"), part.mesh);
-      continue;
-    }
-    const zoo::Verdict verdict = judge(part, arguments.vertices);
+    const zoo::Verdict verdict = judge(part, vertices);
     rows.push_back({std::move(part), verdict});
     print(rows.back());
   }
-  if (!rows.empty()) print_summary(rows);
+  print_summary(rows);
+}
+
+void run(const Arguments& arguments) {
+  const std::vector<zoo::Cage> cages = asked_for(arguments.names);
+  if (arguments.folder.empty()) {
+    judge_parts(cages, arguments.vertices);
+  } else {
+    write_parts(cages, arguments.folder);
+  }
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void add_awkward_files(Cages& cages) {
   const auto add = [&](const std::string& name, const std::string& kind,
                        const std::function<Solid()>& make,
                        const std::function<Part(Part)>& change) {
-    cages.push_back({name, [=] { return change(part_of(name, kind, make())); }});
+    cages.push_back({name, kind, [=] { return change(part_of(name, kind, make())); }});
   };
   const auto same = [](Part part) { return part; };
   const auto needles = [](std::uint32_t pieces) {

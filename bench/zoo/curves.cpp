@@ -100,7 +100,7 @@ void add_curves(Cages& cages) {
   add("rod_bent", "turned part", [] { return bent_rod(circle({0, 0}, 0.2, 24)); });
   add("bar_bent", "turned part", [] { return bent_rod(rectangle({-0.2, -0.2}, {0.2, 0.2})); });
   add("chain", "many pieces", [] { return chain(7); });
-  cages.push_back({"knot", [] { return soft_part_of("knot", knot()); }});
+  cages.push_back({"knot", soft_kind, [] { return soft_part_of("knot", knot()); }});
 }
 
 }  // namespace geolloyd::zoo

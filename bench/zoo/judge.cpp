@@ -34,6 +34,7 @@ void judge_shape(const Mesh& mesh, const Truth& truth, const Remesh& remesh, Ver
   verdict.crossings = count_crossings(remesh.mesh);
   const MeshQuality found = quality(remesh.mesh);
   verdict.smallest_angle = found.smallest_angle;
+  verdict.wanted_angle = std::min(20.0, 0.75 * truth.forced_angle);
   verdict.valence_6 = found.share_valence_6;
   verdict.volume_error = enclosed_volume(remesh.mesh) / truth.volume - 1;
   verdict.hausdorff =
@@ -59,9 +60,12 @@ bool Verdict::is_sound() const {
 bool Verdict::is_good() const {
   constexpr double most_error = 0.01;
   constexpr double least_kept = 0.99;
+  constexpr std::size_t least_on_a_rim = 6;
   const auto most = static_cast<double>(wanted) * 1.05;
-  return is_sound() && std::abs(volume_error) <= most_error && hausdorff <= most_error &&
-         kept.value_or(1) >= least_kept && static_cast<double>(vertices) <= most;
+  return is_sound() && crossings == 0 && std::abs(volume_error) <= most_error &&
+         hausdorff <= most_error && kept.value_or(1) >= least_kept &&
+         least_on_rim.value_or(least_on_a_rim) >= least_on_a_rim &&
+         smallest_angle >= wanted_angle && static_cast<double>(vertices) <= most;
 }
 
 bool Verdict::is_bad() const {

@@ -16,13 +16,14 @@ struct Verdict {
   bool is_manifold = false;
   bool has_topology = false;  ///< parts and their Euler characteristics
   std::size_t parts = 0;
-  std::size_t flat = 0;                     ///< triangles without area
-  std::size_t crossings = 0;                ///< pairs of triangles that go through each other
-  double smallest_angle = 0;                ///< degrees
-  double valence_6 = 0;                     ///< share of the vertices
-  double volume_error = 0;                  ///< as a share
-  double hausdorff = 0;                     ///< share of the diagonal, of both ways the larger
-  std::optional<double> kept;               ///< share of sharp edges: see KeptEdges
+  std::size_t flat = 0;        ///< triangles without area
+  std::size_t crossings = 0;   ///< pairs of triangles that go through each other
+  double smallest_angle = 0;   ///< degrees
+  double wanted_angle = 0;     ///< 20 degrees, or three quarters of what the part forces
+  double valence_6 = 0;        ///< share of the vertices
+  double volume_error = 0;     ///< as a share
+  double hausdorff = 0;        ///< share of the diagonal, of both ways the larger
+  std::optional<double> kept;  ///< share of sharp edges: see KeptEdges
   std::optional<std::size_t> least_on_rim;  ///< vertices: see KeptEdges
   std::size_t features = 0;                 ///< edges of the remesh
   std::vector<RemeshWarning> warnings;
@@ -30,9 +31,9 @@ struct Verdict {
 
   /// A manifold of the true topology, all of whose triangles have an area.
   [[nodiscard]] bool is_sound() const;
-  /// Volume, distance, features, number and topology are as they should be.
+  /// All figures but valences are as they should be.
   [[nodiscard]] bool is_good() const;
-  /// Nobody could use it without looking.
+  /// Nobody should use it without looking.
   [[nodiscard]] bool is_bad() const;
 };
 

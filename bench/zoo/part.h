@@ -51,6 +51,9 @@ struct Part {
   bool is_split = false;  ///< vertices are there several times, as files have them
 };
 
+/// Of shapes without features.
+inline constexpr const char* soft_kind = "soft shape";
+
 /// Finds the sharp edges of a solid that is triangulated without any noise.
 Part part_of(std::string name, std::string kind, Solid solid);
 /// The same for a shape without features.

@@ -52,7 +52,7 @@ Solid with_true_volume(Solid solid) {
 
 void add_soft_shapes(Cages& cages) {
   const auto add = [&](const std::string& name, auto make) {
-    cages.push_back({name, [name, make] { return soft_part_of(name, make()); }});
+    cages.push_back({name, soft_kind, [name, make] { return soft_part_of(name, make()); }});
   };
   add("ellipsoid", [] { return ellipsoid({1, 0.7, 0.5}, 8'000); });
   add("ellipsoid_flat", [] { return ellipsoid({1, 0.9, 0.1}, 8'000); });

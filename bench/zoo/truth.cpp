@@ -114,7 +114,7 @@ Part part_of(std::string name, std::string kind, Solid solid) {
 }
 
 Part soft_part_of(std::string name, Solid solid) {
-  Part part = with_solid(std::move(name), "soft shape", std::move(solid));
+  Part part = with_solid(std::move(name), soft_kind, std::move(solid));
   part.truth.rims.clear();
   part.is_soft = true;
   return part;

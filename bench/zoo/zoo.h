@@ -11,6 +11,7 @@ namespace geolloyd::zoo {
 
 struct Cage {
   std::string name;
+  std::string kind;
   std::function<Part()> make;
 };
 

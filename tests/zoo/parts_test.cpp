@@ -28,6 +28,7 @@ TEST(Zoo, HasManyPartsOfManyKinds) {
   for (const Cage& cage : zoo()) {
     const Part part = cage.make();
     EXPECT_EQ(part.name, cage.name);
+    EXPECT_EQ(part.kind, cage.kind);
     names.insert(part.name);
     kinds.insert(part.kind);
   }
