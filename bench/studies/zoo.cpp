@@ -116,13 +116,14 @@ std::vector<Measure> measures() {
        [](const Row& row) { return row.verdict.hausdorff <= 0.01; }},
       {"99 % of the sharp edges kept",
        [](const Row& row) { return row.verdict.kept.value_or(1) >= 0.99; }},
-      {"6 vertices on each rim",
+      {"6 vertices on each rim longer than an edge",
        [](const Row& row) { return row.verdict.least_on_rim.value_or(6) >= 6; }},
-      {"soft, and without features",
+      {"no features on soft shapes",
        [](const Row& row) { return !row.part.is_soft || row.verdict.features == 0; }},
-      {"good, and not warned",
+      {"no warning where all figures are good",
        [](const Row& row) { return !row.verdict.is_good() || row.verdict.warnings.empty(); }},
-      {"bad, and warned",
+      {"at most 10 CPU seconds", [](const Row& row) { return row.verdict.seconds <= 10; }},
+      {"a warning where volume is off by 2 % or Hausdorff 3 %",
        [](const Row& row) { return !row.verdict.is_bad() || !row.verdict.warnings.empty(); }},
   };
 }

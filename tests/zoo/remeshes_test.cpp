@@ -113,8 +113,8 @@ INSTANTIATE_TEST_SUITE_P(Zoo, RemeshOfAKind, testing::ValuesIn(kinds()), [](cons
 TEST(RemeshOfTheZoo, IsTestedForEachKind) {
   for (const Cage& cage : zoo()) {
     EXPECT_TRUE(std::any_of(kinds().begin(), kinds().end(), [&](const Kind& known) {
-      return known.name == kind;
-    })) << kind;
+      return known.name == cage.kind;
+    })) << cage.kind;
   }
 }
 
