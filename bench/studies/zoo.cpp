@@ -82,11 +82,12 @@ void print(const Row& row) {
   const std::string angle =
       text("%.1f", v.smallest_angle) +
       (part.truth.forced_angle < 20 ? text(" of %.1f", part.truth.forced_angle) : "");
-  std::printf("| %s | %s | %zu | %zu | %s | %.1f | %.3f | %.2f | %s | %s | %zu%s | %s | %.2f |\n",
-              part.name.c_str(), part.kind.c_str(), part.mesh.triangle_count(), v.vertices,
-              angle.c_str(), 100 * v.valence_6, 100 * v.volume_error, 100 * v.hausdorff,
-              kept.c_str(), rim.c_str(), v.parts, v.is_sound() ? "" : ", BAD",
-              words_of(v.warnings).c_str(), v.seconds);
+  std::printf(
+      "| %s | %s | %zu | %zu | %s | %.1f | %.1f | %.3f | %.2f | %s | %s | %zu%s | %s | %.2f |\n",
+      part.name.c_str(), part.kind.c_str(), part.mesh.triangle_count(), v.vertices, angle.c_str(),
+      100 * v.valence_6, 100 * v.valence_6_between, 100 * v.volume_error, 100 * v.hausdorff,
+      kept.c_str(), rim.c_str(), v.parts, v.is_sound() ? "" : ", BAD", words_of(v.warnings).c_str(),
+      v.seconds);
   std::fflush(stdout);
 }
 
@@ -164,9 +165,9 @@ void write_parts(const std::vector<zoo::Cage>& cages, const std::filesystem::pat
 
 void judge_parts(const std::vector<zoo::Cage>& cages, std::size_t vertices) {
   std::puts(
-      "| part | kind | triangles | vertices | angle | v6, % | volume off, % | Hausdorff, % | edges "
-      "kept, % | on a rim | parts | warnings | CPU s |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+      "| part | kind | triangles | vertices | angle | v6, % | between, % | volume off, % | "
+      "Hausdorff, % | edges kept, % | on a rim | parts | warnings | CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   std::vector<Row> rows;
   for (const zoo::Cage& cage : cages) {
     zoo::Part part = cage.make();

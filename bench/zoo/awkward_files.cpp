@@ -30,9 +30,10 @@ Solid fillet_block() {
 Solid bolts(std::uint32_t count) {
   std::vector<Solid> all;
   for (std::uint32_t k = 0; k < count * count; ++k) {
+    const std::uint32_t row = k / count;
     Terrace head = wall(circle({0, 0}, 1, 6), 0, 0.6);
     head.inside.push_back(round_wall(circle({0, 0}, 0.5, 24), 0.6, 2));
-    all.push_back(moved(terraces(head), {3.0 * (k % count), 3.0 * (k / count), 0}));
+    all.push_back(moved(terraces(head), {3.0 * (k % count), 3.0 * row, 0}));
   }
   return together(all);
 }
@@ -40,12 +41,14 @@ Solid bolts(std::uint32_t count) {
 /// In a cell of a grid each, of random sizes.
 Solid boxes(std::uint32_t count, std::uint64_t random_seed) {
   std::vector<Solid> all;
-  for (std::uint64_t k = 0; k < count * count; ++k) {
+  for (std::uint32_t k = 0; k < count * count; ++k) {
+    const std::uint32_t row = k / count;
+    const std::uint32_t column = k % count;
     const auto side = [&](std::uint64_t n) {
-      return 0.1 + 0.8 * random_unit(random_seed, 3 * k + n);
+      return 0.1 + 0.8 * random_unit(random_seed, 3UL * k + n);
     };
-    const auto x = static_cast<double>(k % count);
-    const auto y = static_cast<double>(k / count);
+    const double x = column;
+    const double y = row;
     all.push_back(terraces(wall(rectangle({x, y}, {x + side(0), y + side(1)}), 0, side(2))));
   }
   return together(all);

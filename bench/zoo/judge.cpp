@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <ctime>
+#include <vector>
 
 #include "bench/zoo/crossings.h"
 #include "bench/zoo/kept_edges.h"
@@ -14,12 +16,23 @@
 namespace geolloyd::zoo {
 namespace {
 
-constexpr std::size_t samples = 50'000;
+constexpr std::size_t distance_samples = 50'000;
 constexpr double flat = 1e-6;
 
 // Of this process, all threads.
 double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Of a closed mesh, from this vertex on.
+double share_of_valence_6(const Mesh& mesh, std::size_t first) {
+  std::vector<std::size_t> valence(mesh.vertex_count(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const VertexId v : t) ++valence[v];
+  }
+  const auto begin = valence.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto count = static_cast<double>(valence.end() - begin);
+  return count > 0 ? static_cast<double>(std::count(begin, valence.end(), 6U)) / count : 1;
 }
 
 void judge_shape(const Mesh& mesh, const Truth& truth, const Remesh& remesh, Verdict& verdict) {
@@ -36,9 +49,10 @@ void judge_shape(const Mesh& mesh, const Truth& truth, const Remesh& remesh, Ver
   verdict.smallest_angle = found.smallest_angle;
   verdict.wanted_angle = std::min(20.0, 0.75 * truth.forced_angle);
   verdict.valence_6 = found.share_valence_6;
+  verdict.valence_6_between = share_of_valence_6(remesh.mesh, remesh.curve_vertices);
   verdict.volume_error = enclosed_volume(remesh.mesh) / truth.volume - 1;
   verdict.hausdorff =
-      measure_distance(mesh, remesh.mesh, samples).two_sided().largest / diagonal_of(mesh);
+      measure_distance(mesh, remesh.mesh, distance_samples).two_sided().largest / diagonal_of(mesh);
 }
 
 }  // namespace

@@ -16,14 +16,15 @@ struct Verdict {
   bool is_manifold = false;
   bool has_topology = false;  ///< parts and their Euler characteristics
   std::size_t parts = 0;
-  std::size_t flat = 0;        ///< triangles without area
-  std::size_t crossings = 0;   ///< pairs of triangles that go through each other
-  double smallest_angle = 0;   ///< degrees
-  double wanted_angle = 0;     ///< 20 degrees, or three quarters of what the part forces
-  double valence_6 = 0;        ///< share of the vertices
-  double volume_error = 0;     ///< as a share
-  double hausdorff = 0;        ///< share of the diagonal, of both ways the larger
-  std::optional<double> kept;  ///< share of sharp edges: see KeptEdges
+  std::size_t flat = 0;          ///< triangles without area
+  std::size_t crossings = 0;     ///< pairs of triangles that go through each other
+  double smallest_angle = 0;     ///< degrees
+  double wanted_angle = 0;       ///< 20 degrees, or three quarters of what the part forces
+  double valence_6 = 0;          ///< share of the inner vertices
+  double valence_6_between = 0;  ///< and of those on no feature
+  double volume_error = 0;       ///< as a share
+  double hausdorff = 0;          ///< share of the diagonal, of both ways the larger
+  std::optional<double> kept;    ///< share of sharp edges: see KeptEdges
   std::optional<std::size_t> least_on_rim;  ///< vertices: see KeptEdges
   std::size_t features = 0;                 ///< edges of the remesh
   std::vector<RemeshWarning> warnings;

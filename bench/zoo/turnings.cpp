@@ -134,8 +134,9 @@ class Threader {
       for (std::uint32_t j = 0; j <= rows_ + above; ++j) {
         const Point& p = profile_[j % profile_.size()];
         const double turn = static_cast<double>(i) / sides_;
-        const auto turns = static_cast<double>(j / profile_.size());
-        solid_.mesh.positions.push_back(around_axis(p.x, turn, p.y + pitch_ * (turns + turn)));
+        const std::size_t turns = j / profile_.size();
+        solid_.mesh.positions.push_back(
+            around_axis(p.x, turn, p.y + pitch_ * (static_cast<double>(turns) + turn)));
       }
     }
   }

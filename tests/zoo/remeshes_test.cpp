@@ -21,8 +21,8 @@ struct Kind {
   std::set<std::string> worse{};  ///< parts that are not good in all other figures
 };
 
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << kind.name;
+std::ostream& operator<<(std::ostream& out, const Kind& kind) {
+  return out << kind.name;
 }
 
 const std::vector<Kind>& kinds() {
