@@ -88,7 +88,6 @@ void print(const Row& row) {
       100 * v.valence_6, 100 * v.valence_6_between, 100 * v.volume_error, 100 * v.hausdorff,
       kept.c_str(), rim.c_str(), v.parts, v.is_sound() ? "" : ", BAD", words_of(v.warnings).c_str(),
       v.seconds);
-  std::fflush(stdout);
 }
 
 struct Measure {
@@ -130,7 +129,7 @@ std::vector<Measure> measures() {
 }
 
 void print_summary(const std::vector<Row>& rows) {
-  std::printf("\n| of %zu parts | parts | not |\n|---|---|---|\n", rows.size());
+  std::printf("| of %zu parts | parts | not |\n|---|---|---|\n", rows.size());
   for (const Measure& measure : measures()) {
     std::string missed;
     std::size_t met = 0;
@@ -143,6 +142,14 @@ void print_summary(const std::vector<Row>& rows) {
     }
     std::printf("| %s | %zu | %s |\n", measure.name, met, missed.c_str());
   }
+}
+
+void print_rows(const std::vector<Row>& rows) {
+  std::puts(
+      "\n| part | kind | triangles | vertices | angle | v6, % | between, % | volume off, % | "
+      "Hausdorff, % | edges kept, % | on a rim | parts | warnings | CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+  for (const Row& row : rows) print(row);
 }
 
 std::vector<zoo::Cage> asked_for(const std::vector<std::string>& names) {
@@ -163,28 +170,26 @@ void write_parts(const std::vector<zoo::Cage>& cages, const std::filesystem::pat
   for (const zoo::Cage& cage : cages) write(folder / (cage.name + ".ply"), cage.make().mesh);
 }
 
-void judge_parts(const std::vector<zoo::Cage>& cages, std::size_t vertices) {
-  std::puts(
-      "| part | kind | triangles | vertices | angle | v6, % | between, % | volume off, % | "
-      "Hausdorff, % | edges kept, % | on a rim | parts | warnings | CPU s |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+std::vector<Row> judge_parts(const std::vector<zoo::Cage>& cages, std::size_t vertices) {
   std::vector<Row> rows;
   for (const zoo::Cage& cage : cages) {
+    std::fprintf(stderr, "%s\n", cage.name.c_str());
     zoo::Part part = cage.make();
     const zoo::Verdict verdict = judge(part, vertices);
     rows.push_back({std::move(part), verdict});
-    print(rows.back());
   }
-  print_summary(rows);
+  return rows;
 }
 
 void run(const Arguments& arguments) {
   const std::vector<zoo::Cage> cages = asked_for(arguments.names);
-  if (arguments.folder.empty()) {
-    judge_parts(cages, arguments.vertices);
-  } else {
+  if (!arguments.folder.empty()) {
     write_parts(cages, arguments.folder);
+    return;
   }
+  const std::vector<Row> rows = judge_parts(cages, arguments.vertices);
+  print_summary(rows);
+  print_rows(rows);
 }
 
 }  // namespace
