@@ -58,6 +58,7 @@ tools/view/http: http_server
 tools/laboratory: laboratory
 tools/commands
 bench/support
+bench/zoo
 bench/suites
 bench/studies
 tests/support
@@ -80,6 +81,7 @@ tests/program
 tests/view
 tests/golden
 tests/work
+tests/zoo
 tests/fuzz'
 
 # tests/consumer is somebody else's project.
