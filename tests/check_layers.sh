@@ -27,6 +27,7 @@ core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface
 core/surface/features: curve_sites degrees edge_network patches small_features
 core/surface/creases: creases edge_angles
 core/surface/sites: site_balance site_levels
+core/surface/fit: surface_fit
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph
 core/voronoi: dijkstra energy fingerprint forest growing_search partition subtree

@@ -76,8 +76,8 @@ inline Vec3 on_ring(double turn, double radius, double z) {
 }
 
 /// About a circle of radius 1.
-inline Mesh thin_torus(double radius) {
-  return grid_surface(400, 8, true, true, false, [&](double along, double around) {
+inline Mesh thin_torus(double radius, std::uint32_t sides = 8) {
+  return grid_surface(400, sides, true, true, false, [&](double along, double around) {
     const double angle = 2 * std::numbers::pi * around;
     return on_ring(along, 1 + radius * std::cos(angle), radius * std::sin(angle));
   });

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
-#include <string>
 #include <vector>
 
-#include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/recipe.h"
@@ -18,6 +15,7 @@
 #include "parallel/threads/scheduler.h"
 #include "tests/support/needles.h"
 #include "tests/support/odd_surfaces.h"
+#include "tests/support/shared_meshes.h"
 #include "tests/support/walked_topology.h"
 
 namespace geolloyd {
@@ -99,13 +97,8 @@ TEST(RemeshOfNeedles, HasTheSameBitsByEveryEngine) {
   }
 }
 
-Mesh shared_mesh(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(GEOLLOYD_SHARED_MESHES) / "hard" / name;
-  return std::filesystem::exists(file) ? read(file).mesh : Mesh{};
-}
-
 TEST(RemeshOfNeedles, OfATwistedPairIsBounded) {
-  const Mesh mesh = shared_mesh("twin_needles.obj");
+  const Mesh mesh = hard_mesh("twin_needles.obj");
   if (mesh.triangles.empty()) GTEST_SKIP() << "no twin_needles.obj";
   const Remesh remesh = remesh_of(mesh, 100, all_threads());
   EXPECT_LE(fine_vertices(remesh), 20'000U);
@@ -169,7 +162,7 @@ TEST(RemeshWithASlit, HasNoTriangleWithoutArea) {
 }
 
 TEST(RemeshWithASlit, OfACamelHasNoTriangleWithoutArea) {
-  const Mesh mesh = shared_mesh("camel_b.obj");
+  const Mesh mesh = hard_mesh("camel_b.obj");
   if (mesh.triangles.empty()) GTEST_SKIP() << "no camel_b.obj";
   for (const std::size_t vertices : {300U, 2000U}) expect_area_everywhere(mesh, vertices);
 }
@@ -191,7 +184,7 @@ TEST(RemeshOfWhatWasCutApart, IsAManifold) {
 }
 
 TEST(RemeshOfWhatWasCutApart, IsAManifoldOfABunny) {
-  const Mesh mesh = shared_mesh("bunny_nonmanifold.ply");
+  const Mesh mesh = hard_mesh("bunny_nonmanifold.ply");
   if (mesh.triangles.empty()) GTEST_SKIP() << "no bunny_nonmanifold.ply";
   const Remesh remesh = remesh_of(mesh, 300, all_threads());
   EXPECT_EQ(walk_topology(remesh.mesh).flaw, "");

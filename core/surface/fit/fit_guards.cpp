@@ -1,4 +1,4 @@
-#include "core/surface/result/fit_guards.h"
+#include "core/surface/fit/fit_guards.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,40 +18,22 @@ double turned_by_two_degrees(double cosine) {
 
 }  // namespace
 
-FitGuards::FitGuards(MovingRemesh& remesh, std::span<const Metric> metric)
+FitGuards::FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric)
     : remesh_(remesh),
       metric_(metric),
       most_cosine_(std::min(turned_by_two_degrees(largest_cosine_of_all()), 1.0)) {}
 
-double FitGuards::mean_quality() const {
-  double sum = 0;
-  for (const Triangle& t : remesh_.triangles) {
-    sum += triangle_quality(corners_of(remesh_, t, metric_));
+std::vector<std::uint8_t> FitGuards::corners_of_bad_triangles() const {
+  std::vector<std::uint8_t> is_corner(remesh_.vertex_count(), 0);
+  for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
+    if (!is_bad(t)) continue;
+    for (const VertexId v : remesh_.triangles[t]) is_corner[v] = 1;
   }
-  return sum / static_cast<double>(remesh_.triangle_count());
-}
-
-void FitGuards::undo_bad_moves(const std::vector<Vec3>& before) {
-  std::vector<TriangleId> bad;
-  do {
-    bad.clear();
-    for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
-      if (is_bad(t)) bad.push_back(t);
-    }
-    std::size_t undone = 0;
-    for (const TriangleId t : bad) {
-      for (const VertexId v : remesh_.triangles[t]) {
-        if (remesh_.positions[v] == before[v]) continue;
-        remesh_.positions[v] = before[v];
-        ++undone;
-      }
-    }
-    if (undone == 0) return;
-  } while (!bad.empty());
+  return is_corner;
 }
 
 bool FitGuards::is_bad(TriangleId t) const {
-  constexpr double least_turn_cosine = 0.8660254037844386;  // of 30 degrees
+  constexpr double least_turn_cosine = 0.25882;  // of 75 degrees
   const auto& [a, b, c] = remesh_.triangles[t];
   const Vec3 old = cross(remesh_.start[b] - remesh_.start[a], remesh_.start[c] - remesh_.start[a]);
   return largest_cosine(t) > most_cosine_ ||

@@ -1,4 +1,4 @@
-#include "core/surface/result/sample_projection.h"
+#include "core/surface/fit/sample_projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +28,34 @@ FitError SampleProjection::project() {
 }
 
 Foot SampleProjection::foot_of(const Sample& sample) const {
+  constexpr int most_steps = 8;
+  constexpr double far_from_corner = 0.05;  // and, of two corners, from the edge between them
   Foot best;
   double least = std::numeric_limits<double>::infinity();
-  for (const TriangleId t : remesh_.triangles_at[sample.near]) {
-    const Foot foot = foot_on(t, sample.point);
-    if (dot(foot.away, foot.away) >= least) continue;
-    least = dot(foot.away, foot.away);
-    best = foot;
+  const auto look_around = [&](VertexId v) {
+    bool is_nearer = false;
+    for (const TriangleId t : remesh_.triangles_at[v]) {
+      if (t == best.triangle) continue;
+      const Foot foot = foot_on(t, sample.point);
+      if (dot(foot.away, foot.away) >= least) continue;
+      least = dot(foot.away, foot.away);
+      best = foot;
+      is_nearer = true;
+    }
+    return is_nearer;
+  };
+  look_around(sample.near);
+  for (int step = 0; step < most_steps && best.triangle != no_id; ++step) {
+    const Foot from = best;
+    if (*std::min_element(from.barycentric.begin(), from.barycentric.end()) > far_from_corner)
+      break;
+    bool is_nearer = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = remesh_.triangles[from.triangle][k];
+      if (from.barycentric[k] <= far_from_corner || (step == 0 && v == sample.near)) continue;
+      is_nearer = look_around(v) || is_nearer;
+    }
+    if (!is_nearer) break;
   }
   return best;
 }

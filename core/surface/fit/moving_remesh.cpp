@@ -1,7 +1,6 @@
-#include "core/surface/result/moving_remesh.h"
+#include "core/surface/fit/moving_remesh.h"
 
 namespace geolloyd {
-namespace {
 
 std::vector<Vec3> normals_at_vertices(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
@@ -14,14 +13,11 @@ std::vector<Vec3> normals_at_vertices(const Mesh& mesh) {
   return normals;
 }
 
-}  // namespace
-
 MovingRemesh::MovingRemesh(const SurfaceFrame& frame, const Mesh& remesh, Executor& executor) {
   triangles = remesh.triangles;
   positions.reserve(remesh.vertex_count());
   for (const Vec3& p : remesh.positions) positions.push_back(frame.to_unit(p));
   start = positions;
-  vertex_normal = normals_at_vertices(*this);
   triangles_at = triangles_at_vertices(vertex_count(), triangles, executor);
 }
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/result/moving_remesh.h"
-#include "core/surface/result/surface_fit.h"
-#include "core/surface/result/surface_samples.h"
+#include "core/surface/fit/moving_remesh.h"
+#include "core/surface/fit/surface_fit.h"
+#include "core/surface/fit/surface_samples.h"
 
 namespace geolloyd {
 
@@ -30,6 +30,9 @@ class SampleProjection {
 
   /// Of the last projection, per sample: the triangle, or no_id where the vertex has none.
   [[nodiscard]] std::span<const TriangleId> triangles() const { return triangle_; }
+  [[nodiscard]] double square_distance(std::size_t sample) const {
+    return square_distance_[sample];
+  }
   [[nodiscard]] double distance(std::size_t sample) const {
     return std::sqrt(square_distance_[sample]);
   }

@@ -10,7 +10,6 @@ namespace geolloyd {
 /// A remesh in the unit frame, whose vertices are being moved.
 struct MovingRemesh : Mesh {
   std::vector<Vec3> start;            ///< per vertex: where it was at first
-  std::vector<Vec3> vertex_normal;    ///< per vertex: the normal there at first
   Bucketed<TriangleId> triangles_at;  ///< per vertex, ascending
 
   MovingRemesh(const SurfaceFrame& frame, const Mesh& remesh, Executor& executor);
@@ -20,10 +19,9 @@ struct MovingRemesh : Mesh {
     const auto& [a, b, c] = triangles[t];
     return normalized(cross(positions[b] - positions[a], positions[c] - positions[a]));
   }
-  /// What of a displacement is not along the normal.
-  [[nodiscard]] Vec3 sideways(std::size_t v, const Vec3& x) const {
-    return x - dot(x, vertex_normal[v]) * vertex_normal[v];
-  }
 };
+
+/// Per vertex, weighted by area.
+std::vector<Vec3> normals_at_vertices(const Mesh& mesh);
 
 }  // namespace geolloyd

@@ -1,0 +1,250 @@
+#include "core/surface/fit/fit_functional.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/loops.h"
+#include "core/mesh/mesh_measure.h"
+
+namespace geolloyd {
+namespace {
+
+constexpr std::size_t some_triangles = 64;
+
+double area_of(const std::array<Vec3, 3>& p) {
+  return norm(cross(p[1] - p[0], p[2] - p[0])) / 2;
+}
+
+}  // namespace
+
+FitFunctional::FitFunctional(const MovingRemesh& remesh, const SurfaceSamples& samples,
+                             const SampleProjection& projection, std::span<const Metric> metric,
+                             bool is_graded, std::size_t held, Executor& executor)
+    : remesh_(remesh),
+      samples_(samples),
+      projection_(projection),
+      metric_(metric),
+      held_(held),
+      executor_(executor),
+      share_(remesh.triangle_count()),
+      slope_(remesh.triangle_count()) {
+  find_areas(is_graded);
+}
+
+// As now; smoothed where sizes vary, else all alike.
+void FitFunctional::find_areas(bool is_graded) {
+  constexpr int rounds = 4;
+  area_.resize(remesh_.triangle_count());
+  double sum = 0;
+  for (std::size_t t = 0; t < area_.size(); ++t) {
+    area_[t] = area_of(corners(t, remesh_.positions));
+    sum += area_[t];
+  }
+  const double mean = sum / static_cast<double>(area_.size());
+  side_ = std::sqrt(4 / std::sqrt(3.0) * mean);
+  if (!is_graded) {
+    std::fill(area_.begin(), area_.end(), mean);
+    return;
+  }
+  std::vector<double> at_vertex(remesh_.vertex_count());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t v = 0; v < at_vertex.size(); ++v) {
+      double around = 0;
+      for (const TriangleId t : remesh_.triangles_at[v]) around += area_[t];
+      const auto count = static_cast<double>(remesh_.triangles_at[v].size());
+      at_vertex[v] = count > 0 ? around / count : mean;
+    }
+    for (std::size_t t = 0; t < area_.size(); ++t) {
+      const auto& [a, b, c] = remesh_.triangles[t];
+      area_[t] = (at_vertex[a] + at_vertex[b] + at_vertex[c]) / 3;
+    }
+  }
+}
+
+void FitFunctional::begin_round() {
+  from_ = remesh_.positions;
+  find_strains();
+  find_pulls();
+  find_value();
+}
+
+// Seen along the mean normal of the corners on no curve, for a curve's lies between faces.
+void FitFunctional::find_strains() {
+  const std::vector<Vec3> normals = normals_at_vertices(remesh_);
+  root_.clear();
+  for (TriangleId t = 0; t < share_.size(); ++t) {
+    share_[t] = {};
+    share_[t].normal = remesh_.normal_of(t);
+    Vec3 seen_along = Vec3::Zero();
+    if (metric_.empty()) {
+      for (const VertexId v : remesh_.triangles[t]) {
+        if (v >= held_) seen_along += normals[v];
+      }
+    } else {
+      const auto& [a, b, c] = remesh_.triangles[t];
+      root_.emplace_back((1.0 / 3) * (metric_[a] + metric_[b] + metric_[c]));
+      const std::array<Vec3, 3> p = corners(t, from_);
+      seen_along = cross(root_[t](p[1] - p[0]), root_[t](p[2] - p[0]));
+    }
+    seen_along = normalized(seen_along);
+    if (dot(seen_along, seen_along) == 0) seen_along = share_[t].normal;
+    share_[t].strain = TriangleStrain(seen_along, area_[t]);
+  }
+}
+
+void FitFunctional::find_pulls() {
+  const std::span<const TriangleId> triangle = projection_.triangles();
+  double weights = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (triangle[i] == no_id) continue;
+    const double weight = samples_[i].weight;
+    weights += weight;
+    squares += weight * projection_.square_distance(i);
+  }
+  mean_square_ = weights > 0 ? squares / weights : 0;
+  per_square_ = weights > 0 ? 1 / (side_ * side_ * weights) : 0;
+  const auto on_triangle = bucket_sort<std::uint32_t>(
+      executor_, share_.size(), samples_.size(), [&](std::size_t i, auto&& put) {
+        if (triangle[i] != no_id) put(triangle[i], static_cast<std::uint32_t>(i));
+      });
+  parallel_for(executor_, share_.size(), some_triangles, [&](std::size_t t) {
+    for (const std::uint32_t i : on_triangle[t]) {
+      add_sample(i, static_cast<TriangleId>(t), share_[t]);
+    }
+  });
+}
+
+void FitFunctional::add_sample(std::size_t i, TriangleId t, Share& share) const {
+  constexpr double above = 0.9;  // of the distance: along the normal
+  const Sample sample = samples_[i];
+  const Foot foot = projection_.foot_on(t, sample.point);
+  const double distance = norm(foot.away);
+  const double height = dot(foot.away, share.normal);
+  const double weight = sample.weight * weight_of(distance * distance);
+  if (distance <= 1e-7 * side_ || std::abs(height) >= above * distance) {
+    share.pull.add(weight, foot.barycentric, height);
+    return;
+  }
+  Oblique& oblique = share.oblique.emplace_back();
+  oblique.direction = foot.away / distance;
+  oblique.pull.add(weight, foot.barycentric, distance);
+}
+
+double FitFunctional::weight_of(double square_distance) const {
+  constexpr double most = 100;
+  if (!(mean_square_ > 0)) return 1;
+  return std::min(most, std::sqrt(1 + square_distance / (6 * mean_square_)));
+}
+
+void FitFunctional::find_value() {
+  const std::span<const TriangleId> triangle = projection_.triangles();
+  double squares = 0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (triangle[i] == no_id) continue;
+    const double square = projection_.square_distance(i);
+    squares += samples_[i].weight * weight_of(square) * square;
+  }
+  boost_.assign(share_.size(), 1);
+  double strain = 0;
+  for (std::size_t t = 0; t < share_.size(); ++t) {
+    Slope slope;
+    add_strain(t, from_, slope);
+    strain += slope.value;
+  }
+  value_ = per_square_ * squares + strain;
+}
+
+void FitFunctional::set_prices(std::span<const double> boost, double reluctance) {
+  constexpr double stiffness_of_strain = 20;  // times the side^-2: of its second derivatives
+  boost_.assign(boost.begin(), boost.end());
+  std::vector<double> pull(remesh_.vertex_count(), 0);
+  std::vector<double> strain(remesh_.vertex_count(), 0);
+  for (std::size_t t = 0; t < share_.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = remesh_.triangles[t][k];
+      pull[v] += 2 * per_square_ * share_[t].pull.matrix[k][k];
+      for (const Oblique& oblique : share_[t].oblique) {
+        pull[v] += 2 * per_square_ * oblique.pull.matrix[k][k];
+      }
+      strain[v] += price_ * boost_[t] / 6 * stiffness_of_strain / (side_ * side_);
+    }
+  }
+  resistance_.resize(pull.size());
+  preconditioner_.resize(pull.size());
+  for (std::size_t v = 0; v < pull.size(); ++v) {
+    resistance_[v] = reluctance * pull[v];
+    const double stiffness = pull[v] + strain[v] + 2 * resistance_[v];
+    preconditioner_[v] = stiffness > 0 ? 1 / stiffness : 0;
+  }
+}
+
+double FitFunctional::evaluate(const std::vector<Vec3>& positions,
+                               std::vector<Vec3>& gradient) const {
+  parallel_for(executor_, share_.size(), some_triangles,
+               [&](std::size_t t) { slope_[t] = slope_of(t, positions); });
+  double value = 0;
+  for (const Slope& slope : slope_) value += slope.value;
+  for (std::size_t v = held_; v < positions.size(); ++v) {
+    const Vec3 move = positions[v] - from_[v];
+    value += resistance_[v] * dot(move, move);
+  }
+  parallel_for(executor_, positions.size(), some_triangles, [&](std::size_t v) {
+    gradient[v] = Vec3::Zero();
+    if (v < held_) return;
+    gradient[v] = 2 * resistance_[v] * (positions[v] - from_[v]);
+    for (const TriangleId t : remesh_.triangles_at[v]) {
+      const Triangle& corner = remesh_.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (corner[k] == v) gradient[v] += slope_[t].gradient[k];
+      }
+    }
+  });
+  return value;
+}
+
+std::array<Vec3, 3> FitFunctional::corners(std::size_t t, const std::vector<Vec3>& at) const {
+  const auto& [a, b, c] = remesh_.triangles[t];
+  return {at[a], at[b], at[c]};
+}
+
+FitFunctional::Slope FitFunctional::slope_of(std::size_t t, const std::vector<Vec3>& at) const {
+  Slope slope;
+  const std::array<Vec3, 3> before = corners(t, from_);
+  std::array<Vec3, 3> move = corners(t, at);
+  for (std::size_t k = 0; k < 3; ++k) move[k] -= before[k];
+  add_pull(share_[t].pull, share_[t].normal, move, slope);
+  for (const Oblique& oblique : share_[t].oblique) {
+    add_pull(oblique.pull, oblique.direction, move, slope);
+  }
+  add_strain(t, at, slope);
+  return slope;
+}
+
+void FitFunctional::add_pull(const Pull& pull, const Vec3& direction,
+                             const std::array<Vec3, 3>& move, Slope& slope) const {
+  std::array<double, 3> up{};
+  for (std::size_t k = 0; k < 3; ++k) up[k] = dot(direction, move[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<double, 3>& row = pull.matrix[k];
+    const double image = row[0] * up[0] + row[1] * up[1] + row[2] * up[2];
+    slope.value += per_square_ * up[k] * (image - 2 * pull.height[k]);
+    slope.gradient[k] += (2 * per_square_ * (image - pull.height[k])) * direction;
+  }
+}
+
+void FitFunctional::add_strain(std::size_t t, const std::vector<Vec3>& at, Slope& slope) const {
+  const double weight = price_ * boost_[t];
+  std::array<Vec3, 3> p = corners(t, at);
+  if (root_.empty()) {
+    slope.value += weight * share_[t].strain.evaluate(p, weight, &slope.gradient);
+    return;
+  }
+  for (Vec3& corner : p) corner = root_[t](corner);
+  std::array<Vec3, 3> mapped = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  slope.value += weight * share_[t].strain.evaluate(p, weight, &mapped);
+  for (std::size_t k = 0; k < 3; ++k) slope.gradient[k] += root_[t].transposed(mapped[k]);
+}
+
+}  // namespace geolloyd

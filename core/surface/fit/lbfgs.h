@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/base/vec3.h"
+
+namespace geolloyd {
+
+/// A function of many points, and its gradient there.
+using PointsFunction = std::function<double(const std::vector<Vec3>&, std::vector<Vec3>&)>;
+
+struct DescentOptions {
+  std::span<const double> preconditioner;  ///< per point: the inverse of how stiff it is
+  double longest_step = 0;                 ///< of a point in an iteration
+  int iterations = 0;
+};
+
+/// Moves points downhill by L-BFGS (Liu and Nocedal 1989) with backtracking, until an iteration
+/// brings less than a millionth. Sums are made in the order of points.
+void descend(const PointsFunction& function, const DescentOptions& options, std::vector<Vec3>& x);
+
+}  // namespace geolloyd
