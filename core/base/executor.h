@@ -24,9 +24,9 @@ class Executor {
   /// this.
   virtual void run(std::size_t workers, const std::function<void(std::size_t worker)>& work) = 0;
 
-  /// Something to be called whenever the work comes by heed(): before each loop, and now and then in
-  /// what is no loop of loops.h. What it throws ends the work. Not for sequential(), which is
-  /// everybody's.
+  /// Something to be called often, never twice at once: whenever the work comes by heed(), as each
+  /// loop of loops.h does again and again, by the calling thread or, with oneTBB, now and then by
+  /// another. What it throws ends the work. Not for sequential(), which is everybody's.
   void set_watch(std::function<void()> watch) { watch_ = std::move(watch); }
   void heed() const {
     if (watch_) watch_();

@@ -36,6 +36,7 @@ void parallel_for_ranges(Executor& executor, std::size_t count, std::size_t grai
   executor.run(workers, [&](std::size_t worker) {
     try {
       while (!failed.load(std::memory_order_relaxed)) {
+        if (worker == 0) executor.heed();
         const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);
         if (begin >= count) return;
         body(begin, std::min(begin + grain, count), worker);
