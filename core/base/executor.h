@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace geolloyd {
 
@@ -23,11 +24,20 @@ class Executor {
   /// this.
   virtual void run(std::size_t workers, const std::function<void(std::size_t worker)>& work) = 0;
 
+  /// Something to be called often, never twice at once: whenever the work comes by heed(), as each
+  /// loop of loops.h does again and again, by the calling thread or, with oneTBB, now and then by
+  /// another. What it throws ends the work. Not for sequential(), which is everybody's.
+  void set_watch(std::function<void()> watch) { watch_ = std::move(watch); }
+  void heed() const {
+    if (watch_) watch_();
+  }
+
  protected:
   explicit Executor(std::size_t threads) : threads_(threads) {}
 
  private:
   std::size_t threads_;
+  std::function<void()> watch_;  // empty: nobody watches
 };
 
 /// The calling thread alone. Has no state: any number of threads may use it at once.

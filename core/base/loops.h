@@ -23,8 +23,10 @@ inline constexpr std::size_t small_items = 1 << 12;
 template <class Body>
 void parallel_for_ranges(Executor& executor, std::size_t count, std::size_t grain, Body&& body) {
   const std::size_t workers = std::min(executor.threads(), (count + grain - 1) / grain);
+  executor.heed();
   if (workers <= 1) {
     for (std::size_t begin = 0; begin < count; begin += grain) {
+      executor.heed();
       body(begin, std::min(begin + grain, count), std::size_t{0});
     }
     return;
@@ -34,6 +36,7 @@ void parallel_for_ranges(Executor& executor, std::size_t count, std::size_t grai
   executor.run(workers, [&](std::size_t worker) {
     try {
       while (!failed.load(std::memory_order_relaxed)) {
+        if (worker == 0) executor.heed();
         const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);
         if (begin >= count) return;
         body(begin, std::min(begin + grain, count), worker);

@@ -14,7 +14,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest_bend = 1.8660254037844386;  // 1 - cos 150 degrees
+// Corners that are left for dynamic programming. Where some triangles are blocked, cutting off
+// corners soon finds no way, so there are more.
 constexpr std::size_t most_for_programming = 48;
+constexpr std::size_t most_where_some_are_blocked = 192;
 
 /// 1 - cosine of the angle between two normals; nothing bends against what has no normal.
 double bend_between(const Vec3& n, const Vec3& m) {
@@ -40,16 +43,17 @@ struct Rest {
 
 class HoleTriangulation {
  public:
-  HoleTriangulation(const HoleOutline& outline,
-                    const std::function<bool(std::uint32_t, std::uint32_t)>& is_forbidden)
-      : outline_(outline), is_forbidden_(is_forbidden) {}
+  HoleTriangulation(const HoleOutline& outline, const HoleLimits& limits)
+      : outline_(outline),
+        limits_(limits),
+        most_(limits.is_blocked ? most_where_some_are_blocked : most_for_programming) {}
 
   std::vector<Triangle> run() {
     Rest rest;
     rest.normals = outline_.normals;
     for (std::uint32_t i = 0; i < outline_.corners.size(); ++i) rest.corners.push_back(i);
-    if (rest.corners.size() > most_for_programming) rest = cut_off_corners();
-    if (rest.corners.size() < 3 || rest.corners.size() > most_for_programming || !program(rest)) {
+    if (rest.corners.size() > most_) rest = cut_off_corners();
+    if (rest.corners.size() < 3 || rest.corners.size() > most_ || !program(rest)) {
       return {};
     }
     return std::move(found_);
@@ -64,6 +68,10 @@ class HoleTriangulation {
     return flatness(at(t[0]), at(t[1]), at(t[2])) >= sliver_flatness;
   }
 
+  [[nodiscard]] bool is_blocked(const Triangle& t) const {
+    return limits_.is_blocked && limits_.is_blocked(t);
+  }
+
   // The corner whose neighbours are nearest to each other, again and again; of equals the smallest.
   Rest cut_off_corners() {
     const std::size_t count = outline_.corners.size();
@@ -76,10 +84,10 @@ class HoleTriangulation {
     const auto offer = [&](std::uint32_t i) {
       const Triangle t = {previous[i], i, next[i]};
       ++version[i];
-      if (!is_usable(t) || is_forbidden_(t[0], t[2])) return;
+      if (!is_usable(t) || limits_.is_forbidden(t[0], t[2])) return;
       const Vec3 n = normal(t);
       if (bend_between(n, normals[t[0]]) >= largest_bend ||
-          bend_between(n, normals[i]) >= largest_bend) {
+          bend_between(n, normals[i]) >= largest_bend || is_blocked(t)) {
         return;
       }
       open.emplace(norm(at(t[2]) - at(t[0])), i, version[i]);
@@ -91,7 +99,7 @@ class HoleTriangulation {
     for (std::uint32_t i = 0; i < count; ++i) offer(i);
     std::vector<std::uint8_t> is_cut(count, 0);
     std::size_t left = count;
-    while (left > most_for_programming && !open.empty()) {
+    while (left > most_ && !open.empty()) {
       const auto [length, i, of_version] = open.top();
       open.pop();
       if (is_cut[i] != 0 || version[i] != of_version) continue;
@@ -131,7 +139,7 @@ class HoleTriangulation {
       for (std::size_t k = i + 2; k < count; ++k) {
         const bool is_whole = i == 0 && k + 1 == count;
         is_open[i * count + k] =
-            is_whole || !is_forbidden_(rest.corners[i], rest.corners[k]) ? 1 : 0;
+            is_whole || !limits_.is_forbidden(rest.corners[i], rest.corners[k]) ? 1 : 0;
       }
     }
     for (std::size_t width = 2; width < count; ++width) {
@@ -149,7 +157,7 @@ class HoleTriangulation {
                                   bend_between(n, normal_at(m, k))});
           if (width + 1 == count) bend = std::max(bend, bend_between(n, rest.normals.back()));
           const Cost sum = {bend, left.area + right.area + norm(n) / 2};
-          if (bend < largest_bend && sum < best) {
+          if (bend < largest_bend && sum < best && !is_blocked(t)) {
             best = sum;
             middle[i * count + k] = m;
           }
@@ -171,16 +179,15 @@ class HoleTriangulation {
   }
 
   const HoleOutline& outline_;
-  const std::function<bool(std::uint32_t, std::uint32_t)>& is_forbidden_;
+  const HoleLimits& limits_;
+  std::size_t most_;  // corners for dynamic programming
   std::vector<Triangle> found_;
 };
 
 }  // namespace
 
-std::vector<Triangle> triangulate_hole(
-    const HoleOutline& outline,
-    const std::function<bool(std::uint32_t, std::uint32_t)>& is_forbidden) {
-  return HoleTriangulation(outline, is_forbidden).run();
+std::vector<Triangle> triangulate_hole(const HoleOutline& outline, const HoleLimits& limits) {
+  return HoleTriangulation(outline, limits).run();
 }
 
 }  // namespace geolloyd

@@ -16,13 +16,18 @@ struct HoleOutline {
   std::vector<Vec3> normals;  ///< of the triangle beyond the edge from a corner to the next one
 };
 
+/// What a filling may not have.
+struct HoleLimits {
+  std::function<bool(std::uint32_t, std::uint32_t)> is_forbidden;  ///< an inner edge
+  std::function<bool(const Triangle&)> is_blocked = {};            ///< a triangle; empty: none is
+};
+
 /// The triangles, of positions in the outline, that fill a hole and bend least: their largest turn
 /// against each other and against what is around is as small as can be, then their area (Liepa
-/// 2003, after Barequet and Sharir 1995). No inner edge joins two corners for which `is_forbidden`.
-/// Up to 48 corners; of larger holes, corners are cut off first, the shortest new edge at a time.
+/// 2003, after Barequet and Sharir 1995).
+/// Up to 48 corners, or 192 with blocked triangles; of larger holes, corners are cut off first, the
+/// shortest new edge at a time.
 /// Empty where none fills the hole without a sliver or a turn of 150 degrees and more.
-std::vector<Triangle> triangulate_hole(
-    const HoleOutline& outline,
-    const std::function<bool(std::uint32_t, std::uint32_t)>& is_forbidden);
+std::vector<Triangle> triangulate_hole(const HoleOutline& outline, const HoleLimits& limits);
 
 }  // namespace geolloyd

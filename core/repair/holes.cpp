@@ -6,10 +6,12 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/bounding_box.h"
 #include "core/base/disjoint_sets.h"
 #include "core/mesh/connectivity.h"
+#include "core/repair/hole_surroundings.h"
 #include "core/repair/hole_triangulation.h"
 #include "core/seams/places.h"
 #include "core/seams/stitching.h"
@@ -43,6 +45,7 @@ class HoleFiller {
     find_place_edges();
     find_diagonals();
     for (std::uint32_t s = 0; s < sides_.size(); ++s) trace(s);
+    fill_all();
     mesh_.triangles.insert(mesh_.triangles.end(), added_.begin(), added_.end());
     for (VertexId v = 0; v < name.size(); ++v) name[v] = joined_.find(v);
     rename_vertices(mesh_, name);
@@ -101,7 +104,7 @@ class HoleFiller {
     }
   }
 
-  // Follows a loop, and fills each part of it that comes back to the same place.
+  // Follows a loop, and finds each part of it that comes back to the same place and is small.
   void trace(std::uint32_t first) {
     if (is_traced_[first] != 0) return;
     std::vector<Side> loop;
@@ -122,7 +125,7 @@ class HoleFiller {
       const std::vector<Side> hole(open.begin() + static_cast<std::ptrdiff_t>(begin), open.end());
       for (const Side& done : hole) begun.erase(place_[done.from]);
       open.resize(begin);
-      if (is_small(hole)) ++(fill(hole) ? repairs_.holes_filled : repairs_.holes_left);
+      if (is_small(hole)) holes_.push_back(hole);
     }
   }
 
@@ -133,20 +136,24 @@ class HoleFiller {
     return length <= options_.hole_share * diagonal_.at(component_[hole.front().from]);
   }
 
-  bool fill(const std::vector<Side>& hole) {
-    if (hole.size() < 3 || !may_join(hole)) return false;
-    HoleOutline outline;
-    for (const Side& s : hole) {
-      const auto& [a, b, c] = mesh_.triangles[s.triangle];
-      outline.corners.push_back(mesh_.positions[s.from]);
-      outline.normals.emplace_back(
-          cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]));
+  void fill_all() {
+    std::vector<GrowingBox> boxes(holes_.size());
+    for (std::size_t h = 0; h < holes_.size(); ++h) {
+      for (const Side& s : holes_[h]) boxes[h].add(mesh_.positions[s.from]);
     }
+    HoleSurroundings surroundings(mesh_, std::move(boxes));
+    for (std::size_t h = 0; h < holes_.size(); ++h) {
+      ++(fill(h, surroundings) ? repairs_.holes_filled : repairs_.holes_left);
+    }
+  }
+
+  bool fill(std::size_t h, HoleSurroundings& surroundings) {
+    const std::vector<Side>& hole = holes_[h];
+    if (hole.size() < 3 || !may_join(hole)) return false;
+    const std::vector<Triangle> triangles = triangulate(hole, surroundings);
+    if (triangles.empty()) return false;
+    surroundings.add(h, corners_of(hole, triangles));
     const auto place_at = [&](std::uint32_t i) { return place_[hole[i].from]; };
-    const std::vector<Triangle> triangles =
-        triangulate_hole(outline, [&](std::uint32_t i, std::uint32_t j) {
-          return place_edges_.contains(key(place_at(i), place_at(j)));
-        });
     for (const auto& [i, j, k] : triangles) {
       added_.push_back({hole[i].from, hole[j].from, hole[k].from});
       place_edges_.insert(key(place_at(i), place_at(j)));
@@ -154,11 +161,51 @@ class HoleFiller {
       place_edges_.insert(key(place_at(k), place_at(i)));
     }
     repairs_.triangles_added += triangles.size();
-    if (triangles.empty()) return false;
     for (std::size_t i = 0; i < hole.size(); ++i) {
       joined_.unite(hole[i].to, hole[i + 1 < hole.size() ? i + 1 : 0].from);
     }
     return true;
+  }
+
+  // The triangles that bend least. Where these pass through the surface, the best of those that do
+  // not one by one; empty where together they do.
+  [[nodiscard]] std::vector<Triangle> triangulate(const std::vector<Side>& hole,
+                                                  const HoleSurroundings& surroundings) const {
+    HoleOutline outline;
+    for (const Side& s : hole) {
+      const auto& [a, b, c] = mesh_.triangles[s.triangle];
+      outline.corners.push_back(mesh_.positions[s.from]);
+      outline.normals.emplace_back(
+          cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]));
+    }
+    HoleLimits limits;
+    limits.is_forbidden = [&](std::uint32_t i, std::uint32_t j) {
+      return place_edges_.contains(key(place_[hole[i].from], place_[hole[j].from]));
+    };
+    const auto passes = [&](const std::vector<Triangle>& triangles) {
+      return surroundings.is_in_the_way_of(corners_of(hole, triangles));
+    };
+    std::vector<Triangle> triangles = triangulate_hole(outline, limits);
+    if (triangles.empty() || !passes(triangles)) return triangles;
+    limits.is_blocked = [&](const Triangle& t) {
+      return surroundings.is_in_the_way_of(corners_of(hole, t));
+    };
+    triangles = triangulate_hole(outline, limits);
+    if (passes(triangles)) triangles.clear();
+    return triangles;
+  }
+
+  [[nodiscard]] HoleSurroundings::Corners corners_of(const std::vector<Side>& hole,
+                                                     const Triangle& t) const {
+    return {mesh_.positions[hole[t[0]].from], mesh_.positions[hole[t[1]].from],
+            mesh_.positions[hole[t[2]].from]};
+  }
+  [[nodiscard]] std::vector<HoleSurroundings::Corners> corners_of(
+      const std::vector<Side>& hole, const std::vector<Triangle>& triangles) const {
+    std::vector<HoleSurroundings::Corners> corners;
+    corners.reserve(triangles.size());
+    for (const Triangle& t : triangles) corners.push_back(corners_of(hole, t));
+    return corners;
   }
 
   // Where a hole touches another one, its sides do not share a vertex. They may if the vertices
@@ -199,6 +246,7 @@ class HoleFiller {
   std::vector<VertexId> component_;
   std::unordered_set<std::uint64_t> place_edges_;
   std::unordered_map<VertexId, double> diagonal_;  // of the box of a component
+  std::vector<std::vector<Side>> holes_;
   std::vector<Triangle> added_;
   std::optional<Bucketed<TriangleId>> at_;  // per vertex its triangles, once they are asked for
 };

@@ -11,7 +11,7 @@ enum class Touching { joined, left };
 /// their first vertices. Holes that touch at a vertex were one loop with the vertex cut in two;
 /// each is filled alone, which joins the vertices again, or left. Returns, per vertex, that which
 /// it becomes: the smallest of those joined. A hole is left as well where its triangles would fold,
-/// be slivers, or have an edge that is there already. Near-linear.
+/// be slivers, have an edge that is there already, or pass through the surface. Near-linear.
 std::vector<VertexId> fill_holes(Mesh& mesh, const RepairOptions& options, Touching touching,
                                  Repairs& repairs);
 

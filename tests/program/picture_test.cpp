@@ -49,6 +49,39 @@ TEST_F(Pictures, ShowSeveralPanelsOfAllGraphs) {
   }
 }
 
+TEST_F(Pictures, HaveTheCameraOfAnotherMesh) {
+  const std::string other = (folder_.path() / "other.ply").string();
+  ASSERT_EQ(geolloyd_with("generate cube -t 300 -o " + other).status, 0);
+  ASSERT_EQ(render("--size 200").status, 0);
+  const std::string own = read_file(png());
+  ASSERT_EQ(render("--size 200 --view-of " + mesh_.string()).status, 0);
+  EXPECT_EQ(read_file(png()), own);
+  ASSERT_EQ(geolloyd_with("render " + other + " --size 200 -o " + png().string()).status, 0);
+  const auto size = size_of(png());
+  ASSERT_EQ(render("--size 200 --view-of " + other).status, 0);
+  EXPECT_EQ(size_of(png()), size);
+  EXPECT_NE(read_file(png()), own);
+  expect_complaint(render("--view-of no.ply"), "no.ply: cannot open");
+  expect_complaint(
+      geolloyd_with("render " + mesh_.string() + " -o " + other + " --view-of " + other),
+      "would be overwritten");
+}
+
+// The same as `render` of the remesh with the camera of the mesh.
+TEST_F(Pictures, OfARemeshHaveTheCameraOfItsMesh) {
+  const std::string remesh = (folder_.path() / "r.ply").string();
+  const std::string after = (folder_.path() / "after.png").string();
+  ASSERT_EQ(geolloyd_with("remesh " + mesh_.string() + " -n 300 --size 200 -o " + remesh +
+                          " --picture " + after)
+                .status,
+            0);
+  ASSERT_EQ(geolloyd_with("render " + remesh + " --panel mesh --size 200 --view-of " +
+                          mesh_.string() + " -o " + png().string())
+                .status,
+            0);
+  EXPECT_EQ(read_file(png()), read_file(after));
+}
+
 TEST_F(Pictures, RefuseWhatMakesNoSense) {
   expect_complaint(render("--panel regions"), "how many regions?");
   expect_complaint(render("--panel field"), "which field?");

@@ -48,6 +48,22 @@ TEST(View, HasUnitVectorsAtRightAnglesAndTheMiddleSideUpright) {
   EXPECT_NEAR(norm(axes("back").right + axes("front").right), 0, 1e-12);
 }
 
+// A remesh is a little smaller or larger than its mesh, in each direction.
+TEST(View, IsTheSameForBoxesThatAreNearlyEqual) {
+  const auto axes = [](const Vec3& extent) {
+    const std::vector<Vec3> box = {{0, 0, 0}, extent};
+    return outline_of(box, parse_view("25,15")).axes;
+  };
+  const std::vector<std::array<Vec3, 2>> pairs = {{{{1, 1, 1}, {1.005, 0.998, 0.996}}},
+                                                  {{{2, 1, 1}, {2, 1.002, 0.999}}},
+                                                  {{{1, 2, 2}, {1, 2.01, 1.99}}}};
+  for (const auto& [mesh, remesh] : pairs) {
+    EXPECT_EQ(axes(mesh).away, axes(remesh).away);
+    EXPECT_EQ(axes(mesh).down, axes(remesh).down);
+  }
+  EXPECT_NE(axes({1, 1, 1}).away, axes({1, 1, 0.9}).away);
+}
+
 TEST(View, IsRefusedWhereItMakesNoSense) {
   for (const char* text : {"", "above", "1", "1,", "1,2,3", "1,2x", "0,91", "361,0", "nan,0",
                            "0,inf", " 1,2", "1e9,0"}) {

@@ -127,3 +127,17 @@ def test_help_reads_well():
         thing = getattr(geolloyd, name)
         assert inspect.getdoc(thing), name
     assert "shape" in geolloyd.remesh.__doc__ and "(n, 3)" in geolloyd.relax.__doc__
+
+
+def test_signals_are_heard_while_a_graph_is_built():
+    """Python's handlers run while the work goes on; else all signals would be one at its end."""
+    mesh = geolloyd.generate("creature", 400_000)
+    heard = []
+    before = signal.signal(signal.SIGALRM, lambda *_: heard.append(1))
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+        geolloyd.distances(mesh, sources=[0])
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(heard) > 2

@@ -359,6 +359,59 @@ TEST(Repair, FillsALargeHoleWithoutAFold) {
   }
 }
 
+// A sphere without its top, and what stands in the hole: `obstacle`.
+Mesh open_sphere_and(const Mesh& obstacle) {
+  const Mesh whole = icosphere(1'280);
+  std::set<TriangleId> top;
+  for (TriangleId t = 0; t < whole.triangle_count(); ++t) {
+    if (barycentre(whole, t).z() > 0.8) top.insert(t);
+  }
+  Mesh mesh = without_triangles(whole, top);
+  append(mesh, obstacle);
+  return mesh;
+}
+
+TEST(Repair, FillsNoHoleThroughTheSurface) {
+  const RepairedMesh alone = repaired(open_sphere_and({}), holes_of(100));
+  EXPECT_EQ(alone.repairs.holes_filled, 1U);
+  Mesh small = icosphere(80);
+  for (Vec3& p : small.positions) p = 0.2 * p + Vec3(0, 0, 0.8);
+  const RepairedMesh made = repaired(open_sphere_and(small), holes_of(100));
+  EXPECT_EQ(made.repairs.holes_filled, 0U);
+  EXPECT_EQ(made.repairs.holes_left, 1U);
+  for (Vec3& p : small.positions) p.z() -= 0.8;
+  EXPECT_EQ(repaired(open_sphere_and(small), holes_of(100)).repairs.holes_filled, 1U);
+}
+
+// A thin spike through the flattest filling: there is room for another one beside it.
+TEST(Repair, FillsAHoleAroundWhatIsInTheWay) {
+  Mesh mesh;
+  // Four walls of a box without a lid, whose diagonals are equally good: the first is taken.
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},   {0, 1, 0},
+                    {0, 0, 1}, {1, 0, 1}, {1, 1, 1.2}, {0, 1, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6},
+                    {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const RepairedMesh alone = repaired(mesh, holes_of(4));
+  ASSERT_EQ(alone.repairs.holes_filled, 1U);
+  const auto lid = [](const RepairedMesh& made) {
+    const auto& all = made.mesh.triangles;
+    std::set<std::set<VertexId>> found;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      if (made.triangle_origin[t] == no_id) found.insert({all[t].begin(), all[t].end()});
+    }
+    return found;
+  };
+  // A needle that ends between the two possible diagonals, in the middle of the lid.
+  Mesh needle = tetrahedron();
+  const bool is_high = lid(alone).contains(std::set<VertexId>{4, 5, 6}) ||
+                       lid(alone).contains(std::set<VertexId>{4, 6, 7});
+  for (Vec3& p : needle.positions) p = 0.01 * p + Vec3(0.5, 0.5, is_high ? 1.1 : 1.0);
+  append(mesh, needle);
+  const RepairedMesh made = repaired(mesh, holes_of(4));
+  EXPECT_EQ(made.repairs.holes_filled, 1U);
+  EXPECT_NE(lid(made), lid(alone));
+}
+
 TEST(Repair, FillsHolesThatShareAVertex) {
   const Mesh whole = icosphere(320);
   const VertexId shared = whole.triangles[5][0];

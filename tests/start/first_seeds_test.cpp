@@ -12,6 +12,7 @@
 #include "geolloyd/errors.h"
 #include "geolloyd/threads.h"
 #include "tests/support/graph_kinds.h"
+#include "tests/support/odd_surfaces.h"
 
 namespace geolloyd {
 namespace {
@@ -75,6 +76,17 @@ TEST(FirstSeeds, AreTheSameWithAnyRuntime) {
       EXPECT_EQ(choose(mesh, GraphKind::vertex, init, 60, threads).seeds, expected);
     }
   }
+}
+
+// Each closed part would have four sites, whatever is asked for.
+TEST(FirstSeeds, AreFarthestPointsWherePartsHaveHardlyMoreThanOneEach) {
+  Mesh mesh;
+  for (int i = 0; i < 20; ++i) append(mesh, moved(icosphere(80), {3.0 * i, 0, 0}));
+  const auto seeds = [&](SeedInit init, std::size_t count) {
+    return choose(mesh, GraphKind::vertex, init, count, reference_runtime()).seeds;
+  };
+  EXPECT_EQ(seeds(SeedInit::surface, 39), seeds(SeedInit::farthest, 39));
+  EXPECT_NE(seeds(SeedInit::surface, 40), seeds(SeedInit::farthest, 40));
 }
 
 TEST(FirstSeeds, LeadToLowerEnergiesThanFarthestPoints) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "core/formats/mesh_io.h"
 #include "core/shapes/shapes.h"
@@ -30,7 +31,7 @@ class SessionFixture : public testing::Test {
     options_.seeds.init = SeedInit::random;  // leaves something to do
     options_.greedy = greedy;
     output_ = folder_.path() / "saved";
-    prepare_saving(output_, {});
+    folders_.push_back(prepare_saving(output_, {}));
     model_ = std::make_unique<SessionModel>(load_input(file, threads_.executor()), options_,
                                             output_, threads_);
   }
@@ -81,6 +82,7 @@ class SessionFixture : public testing::Test {
 
   TemporaryFolder folder_;
   std::filesystem::path output_;
+  std::vector<MadeFolders> folders_;
   Threads threads_{2};
   SessionOptions options_;
   std::unique_ptr<SessionModel> model_;

@@ -34,7 +34,7 @@ void run_ground_truth(const GroundTruthArguments& a, const Console& console) {
   work.has_ground_truth = true;
   const PreparedInput start = prepare(a.start, work, threads, progress);
   catch_interrupts();  // before the folder appears
-  prepare_ground_truth_output(a.output, a.start);
+  const MadeFolders folders = prepare_ground_truth_output(a.output, a.start);
   progress.stage("partitioning");
   JudgedPartition judged;
   judged.threads = scheduler.threads();

@@ -307,7 +307,7 @@ void run_relax(const RelaxArguments& arguments, const Console& console) {
   ResumableRelaxation relaxation(start, facts.options,
                                  {targets.folder, arguments.checkpoint_seconds, arguments.resume});
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(targets, wanted.files(), arguments.resume);
+  const MadeFolders folders = prepare_output(targets, wanted.files(), arguments.resume);
   check_checkpoint(arguments);  // another run may have made the folder meanwhile
   CourseWatch watch(arguments, start, threads);
   EndedRelaxation ended = relaxation.relax(*chosen, progress, std::ref(watch));

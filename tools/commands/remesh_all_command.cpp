@@ -259,8 +259,8 @@ void run_remesh_all(RemeshAllArguments& arguments, const Console& console) {
   std::vector<fs::path> inputs;
   inputs.reserve(tasks.size());
   for (const RemeshTask& task : tasks) inputs.push_back(task.input);
-  prepare_folder(arguments.folder, std::array{RemeshRecord::csv_name, RemeshRecord::json_name},
-                 inputs);
+  const MadeFolders folders = prepare_folder(
+      arguments.folder, std::array{RemeshRecord::csv_name, RemeshRecord::json_name}, inputs);
   std::size_t failed = 0;
   bool has_warnings = false;
   {

@@ -58,7 +58,7 @@ void run_remesh(RemeshArguments& arguments, Console& console) {
   write_remesh_report(names, request, done, files);
   if (!names.picture.empty()) {  // whatever happens to it, the results are there
     progress.stage("drawing " + names.picture.string());
-    write_remesh_picture(names.picture, arguments.picture, remesh.mesh, colours, scheduler);
+    write_remesh_picture(names.picture, arguments.picture, done, colours, scheduler);
   }
   std::string page;
   if (!names.page.empty()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/formats/mesh_io.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/regions/tessellation.h"
 #include "geolloyd/errors.h"
@@ -34,6 +35,7 @@ struct RenderArguments {
   EngineArguments engine;  // its frontier
   DualRequest dual;
   PictureLook picture;
+  std::filesystem::path view_of;  // another mesh, for its camera; empty: none
   std::filesystem::path output;
   std::vector<std::string> panels;
   bool has_own_colours = true;
@@ -74,8 +76,10 @@ class Renderer {
     own_colours_ = colours_of(start_.input.loaded.properties);
     start_.input.loaded.properties = {};
     progress_.stage("drawing " + arguments_.output.string());
-    const Picture picture(start_.input.mesh(), look.view, look.size, panels_.size(),
-                          have_captions(panels_), scheduler_);
+    const Mesh other = mesh_of_view();
+    const Mesh& mesh = start_.input.mesh();
+    const Picture picture(mesh, arguments_.view_of.empty() ? mesh : other, look.view, look.size,
+                          panels_.size(), have_captions(panels_), scheduler_);
     std::vector<PanelImage> images;
     for (const Panel& panel : panels_) {
       images.push_back({draw(panel.kind, picture.scene()), caption_of(panel, panels_.size())});
@@ -132,6 +136,12 @@ class Renderer {
     size.has_field = !arguments_.start.graph.vfield.empty();
     size.has_cross_field = arguments_.start.graph.has_cross_field();
     progress_.announce_memory(arguments_.start.mesh.string(), bytes_to_draw(size));
+  }
+
+  [[nodiscard]] Mesh mesh_of_view() {
+    if (arguments_.view_of.empty()) return {};
+    progress_.stage("reading " + arguments_.view_of.string());
+    return read(arguments_.view_of).mesh;
   }
 
   void find_partition() {
@@ -217,11 +227,16 @@ std::vector<Panel> check(const RenderArguments& a) {
     }
   }
   if (is_page(a.output)) {
+    if (!a.view_of.empty()) {
+      throw InvalidInput("--view-of: a page has a camera that its user turns: leave it out");
+    }
     check_viewer();
   } else {
     arrange(panels.size(), have_captions(panels), a.picture.size, 1);
   }
-  check_target(a.output, a.start.files());
+  std::vector<std::filesystem::path> inputs = a.start.files();
+  inputs.push_back(a.view_of);
+  check_target(a.output, inputs);
   return panels;
 }
 
@@ -248,6 +263,12 @@ void add_render_command(CLI::App& program, Console& console) {
   command->add_flag("!--drop", a->has_own_colours,
                     "Draw surface and mesh without the mesh's own colours");
   add_picture_options(*command, a->picture);
+  command
+      ->add_option("--view-of", a->view_of,
+                   "Another mesh, by whose camera this one is seen: that before the\n"
+                   "remesh, for two pictures that can be compared")
+      ->type_name("MESH")
+      ->group("Pictures");
   add_seed_options(*command, a->start.seeds, a->start.seed_file);
   add_graph_options(*command, a->start.graph);
   add_dual_options(*command, a->dual.manifold, a->dual.vertices, a->dual.quads);

@@ -50,7 +50,7 @@ void run_view(const ViewArguments& arguments, const Console& console) {
   const ViewerAssets assets = viewer_assets();
   check(arguments);
   const RunRequest& start = arguments.start;
-  prepare_saving(arguments.output, start.files());
+  const MadeFolders folders = prepare_saving(arguments.output, start.files());
   Scheduler scheduler = make_scheduler(arguments.threads);
   Threads threads(scheduler);
   ProgressLine progress(console);

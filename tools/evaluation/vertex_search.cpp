@@ -40,10 +40,7 @@ std::optional<std::size_t> VertexSearch::next() const {
   if (enough_ == 0 && (tried_ == most_ || wanted > hopeless * static_cast<double>(most_))) {
     give_up(distance, tried_, most_);
   }
-  constexpr double close = 1.05;
-  const bool is_close = static_cast<double>(enough_) <= close * static_cast<double>(too_few_) ||
-                        enough_ == too_few_ + 1;
-  if (enough_ > 0 && is_close) return std::nullopt;
+  if (has_close_bounds()) return next_probe();
   // Far from the bounds the middle serves better.
   const auto low = static_cast<double>(too_few_);
   const double high = enough_ > 0 ? static_cast<double>(enough_) : 8 * static_cast<double>(tried_);
@@ -53,12 +50,36 @@ std::optional<std::size_t> VertexSearch::next() const {
                     enough_ > 0 ? enough_ - 1 : most_);
 }
 
+bool VertexSearch::has_close_bounds() const {
+  constexpr double close = 1.05;
+  return enough_ > 0 && (static_cast<double>(enough_) <= close * static_cast<double>(too_few_) ||
+                         enough_ == too_few_ + 1);
+}
+
+// Fewer than those that suffice, where bounds are already close. The share is less after each one
+// that was too far.
+std::optional<std::size_t> VertexSearch::next_probe() const {
+  constexpr std::size_t most_probes = 5;
+  constexpr std::array shares = {0.9, 0.8, 0.7};
+  if (probes_ == most_probes || vain_probes_ == shares.size()) return std::nullopt;
+  const auto wanted =
+      static_cast<std::size_t>(shares.at(vain_probes_) * static_cast<double>(enough_));
+  if (wanted < least) return std::nullopt;
+  return wanted;
+}
+
 bool VertexSearch::add(const ToleranceTrial& trial) {
   tried_ = *next();
   trials_.push_back(trial);
   const bool is_within = trial.distance <= tolerance_;
   const bool is_best = is_within || enough_ == 0;
-  (is_within ? enough_ : too_few_) = tried_;
+  if (has_close_bounds()) {
+    ++probes_;
+    vain_probes_ = is_within ? 0 : vain_probes_ + 1;
+    if (is_within) enough_ = tried_;
+  } else {
+    (is_within ? enough_ : too_few_) = tried_;
+  }
   return is_best;
 }
 

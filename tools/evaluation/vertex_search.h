@@ -9,8 +9,9 @@
 namespace geolloyd {
 
 /// The search for the fewest vertices whose remesh is within a tolerance. Distance falls about as
-/// the number of vertices grows. It ends when the best one has at most a twentieth more vertices
-/// than one that is too far.
+/// the number of vertices grows: so it goes on until the best one has at most a twentieth more
+/// vertices than one that is too far. But it rises now and then: so at most five with a tenth
+/// fewer, or two or three, are tried after that.
 class VertexSearch {
  public:
   /// Up to `most` vertices are tried, and at least 4.
@@ -26,11 +27,16 @@ class VertexSearch {
   [[nodiscard]] const std::vector<ToleranceTrial>& trials() const { return trials_; }
 
  private:
+  [[nodiscard]] bool has_close_bounds() const;
+  [[nodiscard]] std::optional<std::size_t> next_probe() const;
+
   double tolerance_;
   std::size_t most_;
   std::size_t too_few_ = 3;
   std::size_t enough_ = 0;  // 0: none yet
   std::size_t tried_ = 0;   // the last one
+  std::size_t probes_ = 0;
+  std::size_t vain_probes_ = 0;  // since the last one that was near enough
   std::vector<ToleranceTrial> trials_;
 };
 

@@ -73,7 +73,7 @@ void run_batch(BatchArguments& arguments, const Console& console) {
   const Input& input = loaded.input;
   BatchRuns batches(arguments, std::move(ladder), loaded, scheduler, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(arguments.output, "batch", arguments.start);
+  const MadeFolders folders = prepare_output(arguments.output, "batch", arguments.start);
   const auto save = [&](const std::vector<BatchRow>& rows, bool is_complete) {
     Json json = Json::array();
     for (const BatchRow& row : rows) json.push_back(row_json(row));

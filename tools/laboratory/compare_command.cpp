@@ -101,7 +101,7 @@ void run_compare(CompareArguments& arguments, const Console& console) {
     return prepare(arguments.start, {}, threads, progress);
   }();
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(arguments.output, "compare", arguments.start);
+  const MadeFolders folders = prepare_output(arguments.output, "compare", arguments.start);
   const Comparison comparison = compare(
       contenders_of(arguments), arguments.turns, start.mesh_graph.graph, start.seeds,
       relaxation_options(arguments.start.seeds, arguments.start.seed_file, arguments.relaxation),

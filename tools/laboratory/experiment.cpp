@@ -13,7 +13,6 @@
 #include "tools/cli/summary_options.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
-#include "tools/files/output_folder.h"
 #include "tools/laboratory/plot.h"
 #include "tools/system/interrupt.h"
 
@@ -35,13 +34,13 @@ void check_same_course(const RelaxationArguments& relaxation) {
   }
 }
 
-void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const RunRequest& request) {
-  if (output.folder.empty()) return;
+MadeFolders prepare_output(const ExperimentOutput& output, const std::string& name,
+                           const RunRequest& request) {
+  if (output.folder.empty()) return {};
   const std::string json = name + ".json";
   const std::string csv = name + ".csv";
   const std::array names = {json.c_str(), csv.c_str()};
-  prepare_folder(output.folder, names, request.files());
+  return prepare_folder(output.folder, names, request.files());
 }
 
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

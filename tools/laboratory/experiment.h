@@ -8,6 +8,7 @@
 
 #include "tools/cli/relax_arguments.h"
 #include "tools/files/json.h"
+#include "tools/files/output_folder.h"
 #include "tools/system/progress.h"
 
 namespace geolloyd {
@@ -28,8 +29,8 @@ void add_output_options(CLI::App& command, ExperimentOutput& output, const std::
 void check_same_course(const RelaxationArguments& relaxation);
 
 /// Makes sure that the files can be written and would replace no input.
-void prepare_output(const ExperimentOutput& output, const std::string& name,
-                    const RunRequest& request);
+[[nodiscard]] MadeFolders prepare_output(const ExperimentOutput& output, const std::string& name,
+                                         const RunRequest& request);
 
 /// Writes NAME.csv, which holds `rows`, and NAME.json. May be called again with more.
 void save_result(const ExperimentOutput& output, const std::string& name, const Json& rows,

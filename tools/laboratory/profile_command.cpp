@@ -162,7 +162,7 @@ void run_profile(ProfileArguments& arguments, const Console& console) {
   Threads threads(scheduler);
   const PreparedInput start = prepare(arguments.start, {}, threads, progress);
   catch_interrupts();  // before the folder appears, which tells others that it is done
-  prepare_output(arguments.output, "profile", arguments.start);
+  const MadeFolders folders = prepare_output(arguments.output, "profile", arguments.start);
   const auto profiles = profile_engines(arguments, start, scheduler, progress);
   progress.clear();
   const Json result = write_profiles(arguments, start, profiles);

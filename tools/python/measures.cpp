@@ -8,6 +8,7 @@
 #include "geolloyd/threads.h"
 #include "tools/python/arrays.h"
 #include "tools/python/module.h"
+#include "tools/python/watch.h"
 
 namespace geolloyd {
 namespace {
@@ -41,6 +42,7 @@ py::dict distance(const NumberArray& first_vertices, const IdArray& first_faces,
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
     found = measure_distance(first, second, samples, runtime);
   }
   py::dict words;
@@ -59,6 +61,7 @@ py::tuple closest(const NumberArray& vertices, const IdArray& faces, const Numbe
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
     found = closest_points(mesh, wanted, runtime);
   }
   auto [triangle, barycentric] = arrays_of(found);

@@ -24,6 +24,7 @@ struct Fineness {
 ToleranceRemesh make_graph_dual(const Mesh& mesh, const Fineness& fineness, RemeshOptions options,
                                 bool by_curvature, std::size_t threads) {
   Threads runtime(threads);
+  const HeedInterrupts heed(runtime.executor());
   if (by_curvature) options.field = curvature_field(mesh, runtime);
   if (fineness.tolerance != 0) {
     return remesh_within(mesh, fineness.tolerance, std::move(options), runtime);

@@ -100,6 +100,7 @@ template <class Work>
 auto work_on(Request& request, Work&& work) {
   const py::gil_scoped_release working;
   Threads runtime(request.threads);
+  const HeedInterrupts heed(runtime.executor());
   request.find_field(runtime);
   return work(runtime);
 }
@@ -152,6 +153,7 @@ py::tuple dual_arrays(const Tessellated& made, bool manifold, std::size_t thread
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
     made_dual = geolloyd::dual(made.mesh, made.tessellation, options, runtime);
     places = closest_points(made.mesh, made_dual.mesh.positions, runtime);
   }
@@ -178,6 +180,7 @@ py::dict ground_truth(const Tessellated& made, std::size_t threads) {
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
     found = evaluate(made.mesh, made.tessellation, runtime);
   }
   py::dict words;

@@ -52,10 +52,20 @@ Layout arrange(std::size_t panels, bool has_captions, Size size, double aspect) 
 }
 
 Picture::Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels,
-                 bool has_captions, Executor& executor) {
-  const Outline outline = outline_of(referenced_positions(mesh, executor), view);
+                 bool has_captions, Executor& executor)
+    : Picture(mesh, mesh, view, size, panels, has_captions, executor) {}
+
+Picture::Picture(const Mesh& mesh, const Mesh& framed, const View& view, Size size,
+                 std::size_t panels, bool has_captions, Executor& executor) {
+  const Outline outline = outline_of(referenced_positions(framed, executor), view);
   layout_ = arrange(panels, has_captions, size, aspect_of(outline));
-  scene_ = make_scene(mesh, fit_camera(outline, layout_.panel), Shading::smooth, executor);
+  Camera camera = fit_camera(outline, layout_.panel);
+  if (&mesh != &framed) {  // nothing of it is behind the viewer
+    for (const Vec3& p : referenced_positions(mesh, executor)) {
+      camera.corner.z() = std::min(camera.corner.z(), camera.axes(p).z() - camera.pixel);
+    }
+  }
+  scene_ = make_scene(mesh, camera, Shading::smooth, executor);
 }
 
 void Picture::write(const std::filesystem::path& path, std::span<const PanelImage> panels) const {

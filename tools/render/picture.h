@@ -34,6 +34,9 @@ class Picture {
  public:
   Picture(const Mesh& mesh, const View& view, Size size, std::size_t panels, bool has_captions,
           Executor& executor);
+  /// By the camera that another mesh would have: so pictures of both can be compared.
+  Picture(const Mesh& mesh, const Mesh& framed, const View& view, Size size, std::size_t panels,
+          bool has_captions, Executor& executor);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
 

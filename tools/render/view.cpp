@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -34,12 +34,24 @@ std::optional<std::array<Number, 2>> parse_pair(const std::string& text, char se
   return std::array<Number, 2>{*first, *second};
 }
 
+// The first of the sides that are all but the shortest of those but `other`: a mesh and its remesh
+// differ a little, and are to be turned alike.
+int shortest_side(const Vec3& extent, int other = -1) {
+  constexpr double nearly = 1.02;
+  double least = std::numeric_limits<double>::infinity();
+  for (int side = 0; side < 3; ++side) {
+    if (side != other) least = std::min(least, extent[side]);
+  }
+  int side = 0;
+  while (side == other || extent[side] > nearly * least) ++side;
+  return side;
+}
+
 Axes axes_of(const BoundingBox& box, const View& view) {
   const Vec3 extent = box.extent();
-  std::array<int, 3> side = {0, 1, 2};
-  std::stable_sort(side.begin(), side.end(), [&](int a, int b) { return extent[a] < extent[b]; });
-  const Vec3 front = Vec3::Unit(side[0]);
-  const Vec3 upright = Vec3::Unit(side[1]);
+  const int shortest = shortest_side(extent);
+  const Vec3 front = Vec3::Unit(shortest);
+  const Vec3 upright = Vec3::Unit(shortest_side(extent, shortest));
   const double azimuth = view.azimuth * std::numbers::pi / 180;
   const double elevation = view.elevation * std::numbers::pi / 180;
   const Vec3 level = std::cos(azimuth) * front + std::sin(azimuth) * cross(upright, front);

@@ -8,7 +8,7 @@
 namespace geolloyd {
 
 /// Where a mesh is seen from, in degrees. 0,0 is its front: along the shortest side of its bounding
-/// box, with the middle one upright (of equal sides x before y before z).
+/// box, with the middle one upright (of sides equal within 2 % x before y before z).
 struct View {
   double azimuth = 0;    ///< takes the viewer around the mesh, to the viewer's right
   double elevation = 0;  ///< and up, from -90 to 90

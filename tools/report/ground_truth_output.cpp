@@ -8,7 +8,6 @@
 #include "core/text/file_writer.h"
 #include "tools/files/csv.h"
 #include "tools/files/file_group.h"
-#include "tools/files/output_folder.h"
 #include "tools/words/facts_text.h"
 
 namespace geolloyd {
@@ -96,8 +95,10 @@ Json ground_truth_part(const GroundTruth& truth) {
           {"graph_energy_ratio_hexagonal", truth.graph_energy / truth.hexagonal}};
 }
 
-void prepare_ground_truth_output(const std::filesystem::path& folder, const RunRequest& request) {
-  if (!folder.empty()) prepare_folder(folder, ground_truth_names, request.files());
+MadeFolders prepare_ground_truth_output(const std::filesystem::path& folder,
+                                        const RunRequest& request) {
+  if (folder.empty()) return {};
+  return prepare_folder(folder, ground_truth_names, request.files());
 }
 
 std::string write_ground_truth(const std::filesystem::path& folder, const RunRequest& request,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/evaluation/ground_truth.h"
+#include "tools/files/output_folder.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/stages.h"
 
@@ -27,7 +28,8 @@ struct JudgedPartition {
 
 /// Makes the folder of the command `ground-truth`, if it is named, and makes sure that the results
 /// can be written and would replace no input. Throws Error.
-void prepare_ground_truth_output(const std::filesystem::path& folder, const RunRequest& request);
+[[nodiscard]] MadeFolders prepare_ground_truth_output(const std::filesystem::path& folder,
+                                                      const RunRequest& request);
 
 /// ground-truth-regions.csv: a line per input id. ground-truth-seeds.csv: a line per region.
 /// ground-truth.json, the last to appear. No file where no folder is named. Returns the text of

@@ -12,7 +12,6 @@
 #include "core/base/loops.h"
 #include "geolloyd/errors.h"
 #include "tools/files/csv.h"
-#include "tools/files/output_folder.h"
 #include "tools/render/labels.h"
 #include "tools/render/painters.h"
 #include "tools/render/picture.h"
@@ -77,12 +76,12 @@ void write_dual(const Result& result, FileWriter& out) {
 
 }  // namespace
 
-void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::path> inputs,
-                    bool is_resumed) {
+MadeFolders prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::path> inputs,
+                           bool is_resumed) {
   std::vector<std::filesystem::path> others = std::move(inputs);
-  prepare_folder(targets.folder, relax_names, others);
+  MadeFolders made = prepare_folder(targets.folder, relax_names, others);
   check_target(checkpoint_path(targets.folder), others);
-  if (!targets.frames.empty()) prepare_frames(targets.frames, is_resumed);
+  if (!targets.frames.empty()) made.add(prepare_frames(targets.frames, is_resumed));
   for (const char* name : relax_names) others.push_back(targets.folder / name);
   others.push_back(checkpoint_path(targets.folder));
   if (!targets.page_file.empty()) {
@@ -93,7 +92,7 @@ void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::pa
     check_vtp_target(targets.vtp_file, others);
     others.push_back(targets.vtp_file);
   }
-  if (targets.picture_file.empty()) return;
+  if (targets.picture_file.empty()) return made;
   check_target(targets.picture_file, others);
   std::error_code error;
   if (!targets.frames.empty() &&
@@ -103,6 +102,7 @@ void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::pa
     throw InvalidInput(targets.picture_file.string() +
                        ": is in the folder of the frames: give another place");
   }
+  return made;
 }
 
 std::vector<std::string> names_of_results(const RelaxTargets& targets) {

@@ -7,6 +7,7 @@
 
 #include "core/base/executor.h"
 #include "tools/files/file_group.h"
+#include "tools/files/output_folder.h"
 #include "tools/run/result.h"
 
 namespace geolloyd {
@@ -28,8 +29,9 @@ struct RelaxTargets {
 /// Makes the folder and makes sure that the results and the picture can be written, before hours of
 /// work depend on it, and that none of them would replace one of the `inputs`. `is_resumed`: there
 /// are frames already. Throws Error.
-void prepare_output(const RelaxTargets& targets, std::vector<std::filesystem::path> inputs,
-                    bool is_resumed);
+[[nodiscard]] MadeFolders prepare_output(const RelaxTargets& targets,
+                                         std::vector<std::filesystem::path> inputs,
+                                         bool is_resumed);
 
 /// The names of the files that are wanted, in the order in which they appear.
 std::vector<std::string> names_of_results(const RelaxTargets& targets);

@@ -361,8 +361,10 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
 }
 
 void write_remesh_picture(const std::filesystem::path& file, const PictureLook& look,
-                          const Mesh& remesh, const SurfaceColours& colours, Executor& executor) {
-  const Picture picture(remesh, look.view, look.size, 1, false, executor);
+                          const RemeshedInput& done, const SurfaceColours& colours,
+                          Executor& executor) {
+  const Picture picture(done.result.made.remesh.mesh, done.loaded.input.mesh(), look.view,
+                        look.size, 1, false, executor);
   const Canvas canvas = paint_mesh(picture.scene(), executor, colours);
   const std::array<PanelImage, 1> panels = {{{to_pixels(picture.scene(), canvas, executor), ""}}};
   picture.write(file, panels);

@@ -30,9 +30,10 @@ void write_remesh_report(const RemeshFiles& names, const RemeshRequest& request,
 /// The options in force.
 Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& workers);
 
-/// The remesh with its edges.
+/// The remesh with its edges, as the camera of the input sees it.
 void write_remesh_picture(const std::filesystem::path& file, const PictureLook& look,
-                          const Mesh& remesh, const SurfaceColours& colours, Executor& executor);
+                          const RemeshedInput& done, const SurfaceColours& colours,
+                          Executor& executor);
 
 /// For people.
 std::string describe(const RemeshFiles& names, const RemeshedInput& done);

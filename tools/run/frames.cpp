@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "geolloyd/errors.h"
-#include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
 #include "tools/words/names.h"
 
@@ -33,12 +32,12 @@ bool is_frame_name(const std::string& name) {
 
 }  // namespace
 
-void prepare_frames(const std::filesystem::path& folder, bool is_resumed) {
+MadeFolders prepare_frames(const std::filesystem::path& folder, bool is_resumed) {
   const std::string first = frame_name(0, Phase::greedy);
   const std::array<const char*, 1> names = {first.c_str()};
   const std::vector<std::filesystem::path> others;
-  prepare_folder(folder, names, others);
-  if (is_resumed) return;
+  MadeFolders made = prepare_folder(folder, names, others);
+  if (is_resumed) return made;
   std::error_code error;
   const std::filesystem::directory_iterator entries(folder, error);
   if (error) throw IoError(folder.string() + ": cannot read: " + error.message());
@@ -47,6 +46,7 @@ void prepare_frames(const std::filesystem::path& folder, bool is_resumed) {
     throw InvalidInput(entry.path().string() +
                        ": is a frame of another run: remove them all, or give another folder");
   }
+  return made;
 }
 
 Frames::Frames(std::filesystem::path folder, const PictureLook& look, const PreparedInput& run,

@@ -96,8 +96,9 @@ std::string describe(const Repairs& repairs) {
   tell(repairs.slivers_left, "triangle without area", "triangles without area");
   tell(repairs.unorientable_components, "component that cannot be oriented, like a Moebius strip",
        "components that cannot be oriented, like a Moebius strip");
-  tell(repairs.holes_left, "small hole, whose filling would fold or touch the surface",
-       "small holes, whose filling would fold or touch the surface");
+  tell(repairs.holes_left,
+       "small hole, whose filling would fold, or touch or pass through the surface",
+       "small holes, whose filling would fold, or touch or pass through the surface");
   return text;
 }
 

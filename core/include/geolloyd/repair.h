@@ -47,7 +47,8 @@ struct Repairs {
   std::size_t unorientable_components = 0;  ///< like a Moebius strip; as they were
   std::size_t holes_filled = 0;
   std::size_t triangles_added = 0;  ///< to fill holes
-  std::size_t holes_left = 0;       ///< small enough, but a filling would fold or touch the surface
+  std::size_t holes_left = 0;       ///< small enough, but a filling would fold, or touch or pass
+                                    ///< through the surface
   std::size_t unused_vertices = 0;  ///< of no triangle of the input; left out
 
   /// Whether the mesh is another one now.

@@ -69,7 +69,7 @@ struct ToleranceRemesh {
 };
 
 /// As remesh(), with as few vertices as keep the largest distance within `tolerance`, mesh
-/// units: one with a twentieth fewer was tried and is too far. `options` name no vertex count and
+/// units: some with fewer were tried and are too far. `options` name no vertex count and
 /// no edge length. Where the progress callback ends the work, the best one so far, or the last
 /// one. Throws InvalidInput also where many vertices are not enough.
 ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,

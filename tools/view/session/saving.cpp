@@ -8,7 +8,6 @@
 #include "core/formats/mesh_io.h"
 #include "tools/evaluation/attribute_transfer.h"
 #include "tools/files/csv.h"
-#include "tools/files/output_folder.h"
 #include "tools/report/relax_output.h"
 #include "tools/report/report.h"
 #include "tools/run/dual.h"
@@ -111,9 +110,10 @@ std::string save_page(const std::filesystem::path& folder, SteppedTessellation& 
 
 }  // namespace
 
-void prepare_saving(const std::filesystem::path& folder,
-                    std::span<const std::filesystem::path> inputs) {
-  if (!folder.empty()) prepare_folder(folder, saved_names, inputs);
+MadeFolders prepare_saving(const std::filesystem::path& folder,
+                           std::span<const std::filesystem::path> inputs) {
+  if (folder.empty()) return {};
+  return prepare_folder(folder, saved_names, inputs);
 }
 
 GraphDual dual_of(SteppedTessellation& t, Executor& executor) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/regions/graph_dual.h"
+#include "tools/files/output_folder.h"
 #include "tools/view/session/session_command.h"
 #include "tools/view/session/stepped_tessellation.h"
 
@@ -15,8 +16,8 @@ struct SessionRemesh;
 
 /// Makes the folder, locks it, and makes sure that all that is ever saved can be written there and
 /// would replace no file of `inputs`. Throws Error. Nothing where no folder is named.
-void prepare_saving(const std::filesystem::path& folder,
-                    std::span<const std::filesystem::path> inputs);
+[[nodiscard]] MadeFolders prepare_saving(const std::filesystem::path& folder,
+                                         std::span<const std::filesystem::path> inputs);
 
 /// The dual of the seeds as they are.
 GraphDual dual_of(SteppedTessellation& tessellation, Executor& executor);
