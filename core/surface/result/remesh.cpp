@@ -119,10 +119,12 @@ class Remesher {
     if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_curves, shape);
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
-    find_edge_lengths(result);
     if (options_.fit && result.is_manifold()) {
       fit(shape, result);
+      place_fitted(mesh_, input_, result.mesh.positions, dualised_.state.labels,
+                   surface_->curves.vertices, sites.on_curves, result.places, executor_);
     }
+    find_edge_lengths(result);
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
     result.small_feature_share = sized_.small.share;

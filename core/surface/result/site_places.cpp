@@ -1,6 +1,7 @@
 #include "core/surface/result/site_places.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
@@ -94,6 +95,32 @@ class SitePlacer {
     return closest_about(nearest, site);
   }
 
+  // From the cell downhill, over no vertex that is marked.
+  [[nodiscard]] SurfacePoint find_beyond(const Vec3& site, std::span<const VertexId> cell,
+                                         std::span<const std::uint8_t> is_marked) const {
+    const auto square_distance = [&](VertexId v) {
+      const Vec3 away = input_.fine.positions[v] - site;
+      return dot(away, away);
+    };
+    VertexId nearest = no_id;
+    double least = std::numeric_limits<double>::infinity();
+    const auto offer = [&](VertexId v) {
+      const double square = square_distance(v);
+      if (!(square < least)) return;
+      least = square;
+      nearest = v;
+    };
+    for (const VertexId v : cell) offer(v);
+    if (nearest == no_id) return {};
+    for (VertexId from = no_id; from != nearest;) {
+      from = nearest;
+      for (const VertexId v : input_.fine.neighbours(from)) {
+        if (is_marked[v] == 0) offer(v);
+      }
+    }
+    return closest_about(nearest, site);
+  }
+
  private:
   // On the triangles at a vertex and at its neighbours.
   [[nodiscard]] SurfacePoint closest_about(VertexId centre, const Vec3& site) const {
@@ -145,20 +172,39 @@ class SitePlacer {
   std::optional<NearbySearch> nearby_;
 };
 
+Bucketed<VertexId> vertices_of_cells(std::size_t count, const std::vector<RegionId>& labels,
+                                     Executor& executor) {
+  return bucket_sort<VertexId>(executor, count, labels.size(), [&](std::size_t v, auto&& put) {
+    if (labels[v] != no_id) put(labels[v], static_cast<VertexId>(v));
+  });
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& input,
                                       const std::vector<Vec3>& sites,
                                       const std::vector<RegionId>& labels, Executor& executor) {
-  const auto cells =
-      bucket_sort<VertexId>(executor, sites.size(), labels.size(), [&](std::size_t v, auto&& put) {
-        if (labels[v] != no_id) put(labels[v], static_cast<VertexId>(v));
-      });
+  const Bucketed<VertexId> cells = vertices_of_cells(sites.size(), labels, executor);
   const SitePlacer placer(mesh, input);
   std::vector<SurfacePoint> places(sites.size());
   parallel_for(executor, sites.size(), 64,
                [&](std::size_t r) { places[r] = placer.find(sites[r], cells[r]); });
   return places;
+}
+
+void place_fitted(const Mesh& mesh, const SurfaceInput& input, const std::vector<Vec3>& fitted,
+                  const std::vector<RegionId>& labels, std::span<const VertexId> on_curves,
+                  std::size_t first, std::vector<SurfacePoint>& places, Executor& executor) {
+  std::vector<std::uint8_t> is_on_curve(input.fine.vertex_count(), 0);
+  for (const VertexId v : on_curves) is_on_curve[v] = 1;
+  const Bucketed<VertexId> cells = vertices_of_cells(fitted.size(), labels, executor);
+  const SitePlacer placer(mesh, input);
+  parallel_for(executor, fitted.size(), 64, [&](std::size_t r) {
+    if (r < first || places[r].triangle == no_id || fitted[r] == position_of(mesh, places[r])) {
+      return;
+    }
+    places[r] = placer.find_beyond(input.frame.to_unit(fitted[r]), cells[r], is_on_curve);
+  });
 }
 
 void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,

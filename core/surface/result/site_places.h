@@ -16,6 +16,14 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
                                       const std::vector<RegionId>& labels,
                                       Executor& executor = sequential());
 
+/// The places of vertices that were fitted: of each that is not where its place is, from `first`
+/// on, anew, near where it now is. From its cell the search goes downhill from vertex to vertex of
+/// the surface, and over no curve, of which `on_curves` are the vertices.
+void place_fitted(const Mesh& mesh, const SurfaceInput& input, const std::vector<Vec3>& fitted,
+                  const std::vector<RegionId>& labels, std::span<const VertexId> on_curves,
+                  std::size_t first, std::vector<SurfacePoint>& places,
+                  Executor& executor = sequential());
+
 /// The first places are those of corners (vertices of `input.fine`). Snaps those that coincide with
 /// a vertex of the mesh to it, exactly.
 void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
