@@ -40,7 +40,7 @@ std::vector<GrowingBox> boxes_of(const Mesh& mesh, std::span<const TriangleId> t
 
 }  // namespace
 
-HoleSurroundings::HoleSurroundings(const Mesh& mesh, std::vector<GrowingBox> holes)
+HoleSurroundings::HoleSurroundings(const Mesh& mesh, const std::vector<GrowingBox>& holes)
     : mesh_(mesh),
       holes_(holes),
       near_(triangles_in(mesh, holes_)),

@@ -16,7 +16,7 @@ class HoleSurroundings {
   using Corners = std::array<Vec3, 3>;
 
   /// `holes`: a box of each hole. The mesh must live on.
-  HoleSurroundings(const Mesh& mesh, std::vector<GrowingBox> holes);
+  HoleSurroundings(const Mesh& mesh, const std::vector<GrowingBox>& holes);
 
   /// Whether a triangle in the box of a hole would pass through what is there.
   [[nodiscard]] bool is_in_the_way_of(const Corners& triangle) const;
