@@ -7,7 +7,8 @@
 namespace geolloyd {
 namespace {
 
-using IsShort = std::function<bool(double length, std::size_t edges)>;
+using ExtentOf = std::function<CurveExtent(EdgeId)>;
+using IsShort = std::function<bool(const CurveExtent&)>;
 
 class LooseEnds {
  public:
@@ -27,7 +28,7 @@ class LooseEnds {
     std::sort(at_.begin(), at_.end());
   }
 
-  void cut(const IsShort& is_short) {
+  void cut(const ExtentOf& extent, const IsShort& is_short) {
     std::vector<VertexId> ends;
     for (const auto& [v, i] : at_) {
       if (is_loose(v)) ends.push_back(v);
@@ -37,15 +38,15 @@ class LooseEnds {
       ends.pop_back();
       if (!is_loose(v)) continue;
       std::vector<std::uint32_t> curve;
-      double sum = 0;
+      CurveExtent sum;
       do {
         const std::uint32_t i = next_edge(v, curve.empty() ? no_id : curve.back());
         curve.push_back(i);
-        sum += angles_.length(creases_[i]);
+        sum.add(extent(creases_[i]));
         const auto& [a, b] = angles_.edges().ends[creases_[i]];
         v = v == a ? b : a;
-      } while (degree(v) == 2 && is_short(sum, curve.size()));
-      if (!is_short(sum, curve.size())) continue;
+      } while (degree(v) == 2 && is_short(sum));
+      if (!is_short(sum)) continue;
       for (const std::uint32_t i : curve) is_cut_[i] = 1;
       ends.push_back(v);
     }
@@ -84,10 +85,10 @@ class LooseEnds {
 
 }  // namespace
 
-void cut_loose_ends(const EdgeAngles& angles, const IsShort& is_short,
+void cut_loose_ends(const EdgeAngles& angles, const ExtentOf& extent, const IsShort& is_short,
                     std::vector<EdgeId>& creases) {
   LooseEnds ends(angles, creases);
-  ends.cut(is_short);
+  ends.cut(extent, is_short);
   std::vector<EdgeId> left;
   for (std::size_t i = 0; i < creases.size(); ++i) {
     if (!ends.is_cut(i)) left.push_back(creases[i]);
