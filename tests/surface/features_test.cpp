@@ -223,6 +223,16 @@ TEST(Features, OfABoxWithAFillet) {
   }
 }
 
+// An upright edge ends where a fillet begins that is smaller than edges: what turns aside there would
+// be sites too close.
+TEST(Features, OfABoxWithATinyFillet) {
+  constexpr double radius = 0.01;
+  const double side = std::numbers::sqrt2;
+  const Mesh solid = turned_solid(4, -1, 1, {{1, -1}, {1, 0.99}, {0.997, 0.997}, {0.99, 1}});
+  const double length = length_of(solid, find_features(solid, find_edges(solid), {}, 0.1));
+  EXPECT_NEAR(length, 4 * side + 4 * (2 - radius), 1e-9);
+}
+
 // Round on both sides of its only edge.
 TEST(Features, OfASpindle) {
   for (const std::uint32_t sides : {40U, 300U}) {

@@ -50,6 +50,7 @@ class CreaseFinder {
     cut_loose_ends(
         angles_, [&](EdgeId e) { return extent(e); },
         [&](const CurveExtent& curve) { return is_short(curve, rule_.least_length); }, creases_);
+    if (rule_.needs_flat_side) cut_bent_tails(angles_, spacing_ / 2, creases_);
     judge_components();
     return std::move(creases_);
   }

@@ -24,4 +24,9 @@ void cut_loose_ends(const EdgeAngles& angles, const std::function<CurveExtent(Ed
                     const std::function<bool(const CurveExtent&)>& is_short,
                     std::vector<EdgeId>& creases);
 
+/// Cuts off what is within `reach` (mesh units) of a loose end and points elsewhere than the curve
+/// before it, by 10 degrees and more. So ends an upright edge where a fillet smaller than edges
+/// begins.
+void cut_bent_tails(const EdgeAngles& angles, double reach, std::vector<EdgeId>& creases);
+
 }  // namespace geolloyd
