@@ -223,8 +223,8 @@ TEST(Features, OfABoxWithAFillet) {
   }
 }
 
-// An upright edge ends where a fillet begins that is smaller than edges: what turns aside there would
-// be sites too close.
+// An upright edge ends where a fillet begins that is smaller than edges: what turns aside there
+// would be sites too close.
 TEST(Features, OfABoxWithATinyFillet) {
   constexpr double radius = 0.01;
   const double side = std::numbers::sqrt2;
