@@ -199,6 +199,60 @@ TEST(Features, OfAChamfer) {
   EXPECT_GT(length_with(0.4), 4 * side + 4 * (2 - 0.4 / side) + 4 * side + 4 * 0.6 * side);
 }
 
+// Strips that round the edges above take nothing away from the sharp ones below, nor from upright
+// ones, whether they are narrow or wide.
+TEST(Features, OfABoxWithAFillet) {
+  const double side = std::numbers::sqrt2;
+  for (const double radius : {0.01, 0.12, 0.4}) {
+    for (const int strips : {4, 6, 10}) {
+      std::vector<std::pair<double, double>> profile = {{1, -1}};
+      for (int i = 0; i <= strips; ++i) {
+        const double angle = i * std::numbers::pi / (2 * strips);
+        profile.emplace_back(1 - radius * (1 - std::cos(angle)),
+                             1 - radius * (1 - std::sin(angle)));
+      }
+      const Mesh solid = turned_solid(4, -1, 1, profile);
+      for (const double spacing : {0.05, 0.1, 0.3}) {
+        const double length =
+            length_of(solid, find_features(solid, find_edges(solid), {}, spacing));
+        const double sharp = 4 * side + 4 * (2 - radius);
+        EXPECT_GE(length, sharp - 1e-9) << radius << " " << strips << " " << spacing;
+        EXPECT_LE(length, sharp + 4 * 1.6 * radius) << radius << " " << strips << " " << spacing;
+      }
+    }
+  }
+}
+
+// An upright edge ends where a fillet begins that is smaller than edges: what turns aside there
+// would be sites too close.
+TEST(Features, OfABoxWithATinyFillet) {
+  constexpr double radius = 0.01;
+  const double side = std::numbers::sqrt2;
+  const Mesh solid = turned_solid(4, -1, 1, {{1, -1}, {1, 0.99}, {0.997, 0.997}, {0.99, 1}});
+  const double length = length_of(solid, find_features(solid, find_edges(solid), {}, 0.1));
+  EXPECT_NEAR(length, 4 * side + 4 * (2 - radius), 1e-9);
+}
+
+// Round on both sides of its only edge.
+TEST(Features, OfASpindle) {
+  for (const std::uint32_t sides : {40U, 300U}) {
+    const Mesh solid = turned_solid(sides, -1, 1, {{0.6, 0}});
+    const double rim = 2 * sides * 0.6 * std::sin(std::numbers::pi / sides);
+    for (const double spacing : {0.02, 0.05, 0.2}) {
+      EXPECT_NEAR(length_of(solid, find_features(solid, find_edges(solid), {}, spacing)), rim, 1e-9)
+          << sides << " " << spacing;
+    }
+  }
+}
+
+// A row of the chamfer between a cone and a cylinder.
+TEST(Features, OfAChamferedShaft) {
+  constexpr std::uint32_t sides = 60;
+  const Mesh solid = turned_solid(sides, -1, 1, {{0.9, -1}, {1, -0.9}, {1, 1}});
+  const double rims = 2 * sides * (0.9 + 1 + 1) * std::sin(std::numbers::pi / sides);
+  EXPECT_NEAR(length_of(solid, find_features(solid, find_edges(solid), {}, 0.1)), rims, 1e-9);
+}
+
 // A wall or a step that is thinner than edges keeps both of its rims.
 TEST(Features, OfAThinPlate) {
   const Mesh plate = pierced_plate(0.5, 0.01, 32);

@@ -41,28 +41,45 @@ class CreaseFinder {
     });
     if (rule_.needs_flat_side) {
       const std::vector<EdgeId> sharp = creases_;
+      const FlatSides sides(angles_, sharp, spacing_);
+      find_edges_of_planes(sides);
       judge_components();  // of a scan's sharp edges hardly any are left to be looked at
-      judge_chains(sharp);
+      judge_chains(sides);
     }
     judge_components();
     cut_loose_ends(
-        angles_, [&](double length, std::size_t edges) { return is_short(length, edges); },
-        creases_);
+        angles_, [&](EdgeId e) { return extent(e); },
+        [&](const CurveExtent& curve) { return is_short(curve, rule_.least_length); }, creases_);
+    if (rule_.needs_flat_side) cut_bent_tails(angles_, spacing_ / 2, creases_);
     judge_components();
     return std::move(creases_);
   }
 
  private:
-  [[nodiscard]] bool is_short(double length, std::size_t edges) const {
-    return length < rule_.least_length || edges < rule_.least_edges;
+  [[nodiscard]] bool is_short(const CurveExtent& curve, double least_length) const {
+    return curve.length < least_length || curve.edges < rule_.least_edges;
+  }
+
+  // Long edges between planes, as of a box of few triangles.
+  void find_edges_of_planes(const FlatSides& sides) {
+    is_of_planes_.assign(angles_.edges().size(), 0);
+    parallel_for(executor_, creases_.size(), 64, [&](std::size_t i) {
+      is_of_planes_[creases_[i]] = sides.has_planes(creases_[i]) ? 1 : 0;
+    });
+  }
+
+  // A long edge between planes is as much evidence as many edges, and longer ones.
+  [[nodiscard]] CurveExtent extent(EdgeId e) const {
+    const double length = angles_.length(e);
+    if (is_of_planes_.empty() || is_of_planes_[e] == 0) return {length, 1};
+    return {3 * length, few};
   }
 
   // Keeps chains with a flat side nearly everywhere that stand out from what is around; of those
   // along a narrow strip one.
-  void judge_chains(std::span<const EdgeId> sharp) {
+  void judge_chains(const FlatSides& sides) {
     if (creases_.empty()) return;
     std::vector<CreaseChain> chains = find_chains();
-    const FlatSides sides(angles_, sharp, spacing_);
     find_bends();
     std::vector<std::uint8_t> is_flat(chains.size());
     parallel_for(executor_, chains.size(), 8, [&](std::size_t c) {
@@ -149,15 +166,14 @@ class CreaseFinder {
     double flat = 0;
     for (const EdgeId e : chain) {
       length += angles_.length(e);
-      if (sides.has_one(e)) flat += angles_.length(e);
+      if (is_of_planes_[e] != 0 || sides.has_one(e)) flat += angles_.length(e);
     }
     return flat >= flat_share * length;
   }
 
   // A connected set of creases.
   struct Component {
-    double length = 0;
-    std::size_t edges = 0;
+    CurveExtent extent;
     std::size_t loose_ends = 0;
     std::size_t rejected = 0;  // ends of sharp edges that are no creases, at its vertices
   };
@@ -176,8 +192,7 @@ class CreaseFinder {
     std::vector<Component> component(vertices);  // at its root
     for (const EdgeId e : creases_) {
       Component& of = component[sets.find(ends[e][0])];
-      of.length += angles_.length(e);
-      ++of.edges;
+      of.extent.add(extent(e));
       for (const VertexId v : ends[e]) of.loose_ends += degree[v] == 1 ? 1 : 0;
     }
     for (const EdgeId e : rejected_) {
@@ -188,19 +203,21 @@ class CreaseFinder {
     std::erase_if(creases_, [&](EdgeId e) {
       const Component& of = component[sets.find(ends[e][0])];
       const double least = of.loose_ends > 0 ? rule_.least_length : rule_.least_closed;
-      constexpr std::size_t few = 16;
-      const std::size_t most_rejected = of.edges < few ? 0 : of.edges / 2;
-      return of.length < least || of.edges < rule_.least_edges || of.rejected > most_rejected;
+      const std::size_t most_rejected = of.extent.edges < few ? 0 : of.extent.edges / 2;
+      return is_short(of.extent, least) || of.rejected > most_rejected;
     });
   }
+
+  static constexpr std::size_t few = 16;  // edges
 
   const EdgeAngles& angles_;
   CreaseRule rule_;
   double spacing_;
   Executor& executor_;
   std::vector<EdgeId> creases_;
-  std::vector<EdgeId> rejected_;  // sharp, but no creases
-  std::vector<Bends> bends_;      // per vertex, of those on creases
+  std::vector<EdgeId> rejected_;            // sharp, but no creases
+  std::vector<std::uint8_t> is_of_planes_;  // per edge; empty where no side matters
+  std::vector<Bends> bends_;                // per vertex, of those on creases
 };
 
 std::vector<EdgeId> find_creases(const Mesh& mesh, const MeshEdges& edges,

@@ -9,9 +9,11 @@ namespace geolloyd {
 /// Whether the surface is flat beside a sharp edge, on one of its sides at least: so it is where a
 /// crease was made, by whatever program, and not where a scan has noise or a soft shape a groove.
 /// How far one looks from the edge: half a spacing, or twice the side of the triangle there (the
-/// root of its area), though not more than 8 spacings; and never across another sharp edge. Flat is
-/// where the mean of the normals has a length of .995, which is about 6 degrees from each other,
-/// and where there is enough of a surface to say so. Refers to `angles` and `sharp`.
+/// root of its area) and not more than two lengths of the edge or 8 spacings; and never across
+/// another sharp edge. Flat is where the mean of the normals has a length of .995, which is about 6
+/// degrees from each other, or where they turn evenly along the edge, as beside the rim of a
+/// cylinder or a cone, and are about 4 degrees from that; and where there is enough of a surface to
+/// say so. Refers to `angles` and `sharp`.
 class FlatSides {
  public:
   /// `sharp` is ascending; `spacing` in mesh units.
@@ -19,8 +21,12 @@ class FlatSides {
       : angles_(angles), sharp_(sharp), spacing_(spacing) {}
 
   [[nodiscard]] bool has_one(EdgeId e) const;
+  /// Whether it is a spacing long and has a plane on both sides, which then are a fact of the
+  /// shape, whatever else is near: two triangles and more in a plane, of 4 squares of a spacing.
+  [[nodiscard]] bool has_planes(EdgeId e) const;
 
  private:
+  [[nodiscard]] bool is_on_plane(TriangleId side) const;
   [[nodiscard]] bool is_flat(EdgeId e, TriangleId side) const;
   [[nodiscard]] EdgeId edge_opposite(CornerId c) const;
   // no_id where the edge is sharp or has not two triangles.

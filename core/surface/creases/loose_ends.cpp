@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/surface/features/degrees.h"
+
 namespace geolloyd {
 namespace {
 
-using IsShort = std::function<bool(double length, std::size_t edges)>;
+using ExtentOf = std::function<CurveExtent(EdgeId)>;
+using IsShort = std::function<bool(const CurveExtent&)>;
 
 class LooseEnds {
  public:
@@ -27,27 +30,47 @@ class LooseEnds {
     std::sort(at_.begin(), at_.end());
   }
 
-  void cut(const IsShort& is_short) {
-    std::vector<VertexId> ends;
-    for (const auto& [v, i] : at_) {
-      if (is_loose(v)) ends.push_back(v);
-    }
+  void cut(const ExtentOf& extent, const IsShort& is_short) {
+    std::vector<VertexId> ends = loose_ends();
     while (!ends.empty()) {
       VertexId v = ends.back();
       ends.pop_back();
       if (!is_loose(v)) continue;
       std::vector<std::uint32_t> curve;
+      CurveExtent sum;
+      do {
+        const std::uint32_t i = next_edge(v, curve.empty() ? no_id : curve.back());
+        curve.push_back(i);
+        sum.add(extent(creases_[i]));
+        v = other_end(i, v);
+      } while (degree(v) == 2 && is_short(sum));
+      if (!is_short(sum)) continue;
+      for (const std::uint32_t i : curve) is_cut_[i] = 1;
+      ends.push_back(v);
+    }
+  }
+
+  void straighten(double reach) {
+    constexpr double bent_cosine = cosine_of_degrees(10);
+    for (const VertexId end : loose_ends()) {
+      if (!is_loose(end)) continue;
+      std::vector<std::uint32_t> curve;
+      std::vector<Vec3> directions;
       double sum = 0;
+      VertexId v = end;
       do {
         const std::uint32_t i = next_edge(v, curve.empty() ? no_id : curve.back());
         curve.push_back(i);
         sum += angles_.length(creases_[i]);
-        const auto& [a, b] = angles_.edges().ends[creases_[i]];
-        v = v == a ? b : a;
-      } while (degree(v) == 2 && is_short(sum, curve.size()));
-      if (!is_short(sum, curve.size())) continue;
-      for (const std::uint32_t i : curve) is_cut_[i] = 1;
-      ends.push_back(v);
+        const VertexId next = other_end(i, v);
+        const std::vector<Vec3>& positions = angles_.mesh().positions;
+        directions.push_back(normalized(positions[next] - positions[v]));
+        v = next;
+      } while (degree(v) == 2 && sum <= reach);
+      if (sum <= reach) continue;
+      std::size_t tail = curve.size() - 1;
+      while (tail > 0 && dot(directions[tail - 1], directions.back()) > bent_cosine) --tail;
+      for (std::size_t i = 0; i < tail; ++i) is_cut_[curve[i]] = 1;
     }
   }
 
@@ -67,6 +90,17 @@ class LooseEnds {
     return count;
   }
   [[nodiscard]] bool is_loose(VertexId v) const { return is_boundary_[v] == 0 && degree(v) == 1; }
+  [[nodiscard]] std::vector<VertexId> loose_ends() const {
+    std::vector<VertexId> ends;
+    for (const auto& [v, i] : at_) {
+      if (is_loose(v)) ends.push_back(v);
+    }
+    return ends;
+  }
+  [[nodiscard]] VertexId other_end(std::uint32_t i, VertexId v) const {
+    const auto& [a, b] = angles_.edges().ends[creases_[i]];
+    return v == a ? b : a;
+  }
   [[nodiscard]] std::uint32_t next_edge(VertexId v, std::uint32_t before) const {
     std::uint32_t next = no_id;
     for_each_at(v, [&](std::uint32_t i) {
@@ -82,17 +116,27 @@ class LooseEnds {
   std::vector<std::pair<VertexId, std::uint32_t>> at_;  // a vertex, and a crease there; ascending
 };
 
-}  // namespace
-
-void cut_loose_ends(const EdgeAngles& angles, const IsShort& is_short,
-                    std::vector<EdgeId>& creases) {
-  LooseEnds ends(angles, creases);
-  ends.cut(is_short);
+std::vector<EdgeId> without_cut(const LooseEnds& ends, const std::vector<EdgeId>& creases) {
   std::vector<EdgeId> left;
   for (std::size_t i = 0; i < creases.size(); ++i) {
     if (!ends.is_cut(i)) left.push_back(creases[i]);
   }
-  creases = std::move(left);
+  return left;
+}
+
+}  // namespace
+
+void cut_loose_ends(const EdgeAngles& angles, const ExtentOf& extent, const IsShort& is_short,
+                    std::vector<EdgeId>& creases) {
+  LooseEnds ends(angles, creases);
+  ends.cut(extent, is_short);
+  creases = without_cut(ends, creases);
+}
+
+void cut_bent_tails(const EdgeAngles& angles, double reach, std::vector<EdgeId>& creases) {
+  LooseEnds ends(angles, creases);
+  ends.straighten(reach);
+  creases = without_cut(ends, creases);
 }
 
 }  // namespace geolloyd
