@@ -141,7 +141,7 @@ class HoleFiller {
     for (std::size_t h = 0; h < holes_.size(); ++h) {
       for (const Side& s : holes_[h]) boxes[h].add(mesh_.positions[s.from]);
     }
-    HoleSurroundings surroundings(mesh_, std::move(boxes));
+    HoleSurroundings surroundings(mesh_, boxes);
     for (std::size_t h = 0; h < holes_.size(); ++h) {
       ++(fill(h, surroundings) ? repairs_.holes_filled : repairs_.holes_left);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "core/base/vec3.h"
 
@@ -17,7 +18,7 @@ class TriangleStrain {
  public:
   TriangleStrain() = default;
   /// `normal` of length 1; `area` above 0.
-  TriangleStrain(const Vec3& normal, double area) : normal_(normal), area_(area) {}
+  TriangleStrain(Vec3 normal, double area) : normal_(std::move(normal)), area_(area) {}
 
   /// Adds `weight` times the gradient to `gradient`, if there is one.
   double evaluate(const std::array<Vec3, 3>& corners, double weight,
