@@ -48,11 +48,6 @@ const MeshFormatFacts& facts_of(MeshFormat format) {
   return mesh_formats[static_cast<std::size_t>(format)];
 }
 
-bool is_written_binary(MeshFormat format) {
-  return format == MeshFormat::ply || format == MeshFormat::stl || format == MeshFormat::glb ||
-         format == MeshFormat::vtp;
-}
-
 std::optional<MeshFormat> known_format(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   for (const MeshFormatFacts& facts : mesh_formats) {

@@ -16,25 +16,23 @@ struct MeshFormatFacts {
   const char* extension = "";  ///< of its files, in small letters
   bool is_read = true;
   bool is_written = true;
+  bool is_binary = false;  ///< what is written is no text
 };
 
 /// All of them, in the order of the enumeration.
 inline constexpr std::array<MeshFormatFacts, 9> mesh_formats{{
-    {MeshFormat::ply, "PLY", ".ply"},
+    {MeshFormat::ply, "PLY", ".ply", true, true, true},
     {MeshFormat::obj, "OBJ", ".obj"},
     {MeshFormat::off, "OFF", ".off"},
-    {MeshFormat::stl, "STL", ".stl"},
-    {MeshFormat::glb, "GLB", ".glb"},
+    {MeshFormat::stl, "STL", ".stl", true, true, true},
+    {MeshFormat::glb, "GLB", ".glb", true, true, true},
     {MeshFormat::gltf, "glTF", ".gltf"},
     {MeshFormat::gmsh, "Gmsh", ".msh"},
     {MeshFormat::medit, "medit", ".mesh"},
-    {MeshFormat::vtp, "VTP", ".vtp", false},
+    {MeshFormat::vtp, "VTP", ".vtp", false, true, true},
 }};
 
 const MeshFormatFacts& facts_of(MeshFormat format);
-
-/// That what is written is no text.
-bool is_written_binary(MeshFormat format);
 
 /// Told by the extension (case-insensitive), before which one of a compression is passed over.
 /// Nothing where it is none of ours.

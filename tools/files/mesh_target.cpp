@@ -28,7 +28,7 @@ void prepare_target(MeshTarget& target, std::optional<MeshFormat> input_format,
   const MeshFormat format = format_to_write(target);
   if (!target.is_stream()) return check_target(target.file, others);
   target.stream = console.lend_standard_output();
-  if (::isatty(target.stream) != 0 && is_written_binary(format)) {
+  if (::isatty(target.stream) != 0 && facts_of(format).is_binary) {
     throw InvalidInput(target.name() + ": " + facts_of(format).name +
                        " is binary, and this is a terminal: name a file, or send it elsewhere");
   }

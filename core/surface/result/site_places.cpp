@@ -82,46 +82,44 @@ class SitePlacer {
   }
 
   [[nodiscard]] SurfacePoint find(const Vec3& site, std::span<const VertexId> cell) const {
-    VertexId nearest = no_id;
-    double least = std::numeric_limits<double>::infinity();
-    for (const VertexId v : cell) {
-      const Vec3 away = input_.fine.positions[v] - site;
-      if (dot(away, away) < least) {
-        least = dot(away, away);
-        nearest = v;
-      }
-    }
-    if (nearest == no_id) return {};
-    return closest_about(nearest, site);
+    const VertexId nearest = nearest_of(cell, {}, site, no_id);
+    return nearest == no_id ? SurfacePoint{} : closest_about(nearest, site);
   }
 
   // From the cell downhill, over no vertex that is marked.
   [[nodiscard]] SurfacePoint find_beyond(const Vec3& site, std::span<const VertexId> cell,
                                          std::span<const std::uint8_t> is_marked) const {
-    const auto square_distance = [&](VertexId v) {
-      const Vec3 away = input_.fine.positions[v] - site;
-      return dot(away, away);
-    };
-    VertexId nearest = no_id;
-    double least = std::numeric_limits<double>::infinity();
-    const auto offer = [&](VertexId v) {
-      const double square = square_distance(v);
-      if (!(square < least)) return;
-      least = square;
-      nearest = v;
-    };
-    for (const VertexId v : cell) offer(v);
+    VertexId nearest = nearest_of(cell, {}, site, no_id);
     if (nearest == no_id) return {};
     for (VertexId from = no_id; from != nearest;) {
       from = nearest;
-      for (const VertexId v : input_.fine.neighbours(from)) {
-        if (is_marked[v] == 0) offer(v);
-      }
+      nearest = nearest_of(input_.fine.neighbours(from), is_marked, site, from);
     }
     return closest_about(nearest, site);
   }
 
  private:
+  // Of those that are not marked, and of `else_this`, if that is a vertex.
+  [[nodiscard]] VertexId nearest_of(std::span<const VertexId> vertices,
+                                    std::span<const std::uint8_t> is_marked, const Vec3& site,
+                                    VertexId else_this) const {
+    const auto square_distance = [&](VertexId v) {
+      const Vec3 away = input_.fine.positions[v] - site;
+      return dot(away, away);
+    };
+    VertexId nearest = else_this;
+    double least =
+        else_this == no_id ? std::numeric_limits<double>::infinity() : square_distance(else_this);
+    for (const VertexId v : vertices) {
+      if (!is_marked.empty() && is_marked[v] != 0) continue;
+      const double square = square_distance(v);
+      if (!(square < least)) continue;
+      least = square;
+      nearest = v;
+    }
+    return nearest;
+  }
+
   // On the triangles at a vertex and at its neighbours.
   [[nodiscard]] SurfacePoint closest_about(VertexId centre, const Vec3& site) const {
     Closest best{std::numeric_limits<double>::infinity(), no_id, site};

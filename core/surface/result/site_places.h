@@ -16,9 +16,9 @@ std::vector<SurfacePoint> place_sites(const Mesh& mesh, const SurfaceInput& inpu
                                       const std::vector<RegionId>& labels,
                                       Executor& executor = sequential());
 
-/// The places of vertices that were fitted: of each that is not where its place is, from `first`
-/// on, anew, near where it now is. From its cell the search goes downhill from vertex to vertex of
-/// the surface, and over no curve, of which `on_curves` are the vertices.
+/// Finds new places for vertices that a fit has moved away from theirs: those from `first` on. The
+/// search starts in the cell of the vertex and goes downhill from vertex to vertex of the surface.
+/// It crosses no curve: `on_curves` are the vertices of the curves.
 void place_fitted(const Mesh& mesh, const SurfaceInput& input, const std::vector<Vec3>& fitted,
                   const std::vector<RegionId>& labels, std::span<const VertexId> on_curves,
                   std::size_t first, std::vector<SurfacePoint>& places,
