@@ -130,14 +130,23 @@ def test_help_reads_well():
 
 
 def test_signals_are_heard_while_a_graph_is_built():
-    """Python's handlers run while the work goes on; else all signals would be one at its end."""
+    """Python's handlers run while the work goes on; else all signals would be one at its end.
+
+    A fast machine may end a call before a third one is heard, so there are several calls.
+    """
     mesh = geolloyd.generate("creature", 400_000)
     heard = []
+    most = 0
     before = signal.signal(signal.SIGALRM, lambda *_: heard.append(1))
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
-        geolloyd.distances(mesh, sources=[0])
+        for _ in range(20):
+            heard.clear()
+            geolloyd.distances(mesh, sources=[0])
+            most = max(most, len(heard))
+            if most > 2:
+                break
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
-    assert len(heard) > 2
+    assert most > 2
