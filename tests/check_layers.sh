@@ -15,7 +15,7 @@ core/mesh
 core/seams: cut_apart places stitching
 core/properties
 core/fields: cross_field curvature_field metric_mean tangent_field tangent_field_file tangent_plane
-core/repair: repair
+core/repair: crossing_triangles repair
 core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers vertex_list welder
 core/formats/gltf: base64
 core/formats/ply:
@@ -27,7 +27,8 @@ core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface
 core/surface/features: curve_sites degrees edge_network patches small_features
 core/surface/creases: creases edge_angles
 core/surface/sites: site_balance site_levels
-core/surface/fit: surface_fit
+core/surface/fit: asked_areas fit_functional lbfgs sample_projection surface_fit surface_samples
+core/surface/flips: edge_flips glides
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph
 core/voronoi: dijkstra energy fingerprint forest growing_search partition subtree

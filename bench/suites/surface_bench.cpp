@@ -320,7 +320,7 @@ void fit(Run& run, const Workers& workers) {
     const FitResult found = work();
     Mesh expected = dual.mesh;
     fit_to_surface(start.input(), dual.labels, dual.on_curves, {}, expected);
-    return found.after.sum_of_squares <= found.before.sum_of_squares &&
+    return found.after.mean_square <= found.before.mean_square &&
            same_bytes(mesh.positions, expected.positions);
   });
   run.measure(prepare, work);

@@ -1,4 +1,4 @@
-#include "core/surface/result/edge_flips.h"
+#include "core/surface/flips/edge_flips.h"
 
 #include <gtest/gtest.h>
 

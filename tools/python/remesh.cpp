@@ -80,6 +80,7 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["small_feature_share"] = remesh.small_feature_share;
   report["small_features_limited"] = remesh.small_features_limited;
   report["edges_flipped"] = remesh.edges_flipped;
+  report["glides"] = remesh.glides;
   report["vertices_fitted"] = remesh.vertices_fitted;
   report["distance_before_fit"] = remesh.distance_before_fit;
   report["distance_after_fit"] = remesh.distance_after_fit;

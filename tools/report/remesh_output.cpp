@@ -212,6 +212,7 @@ Json remesh_part(const Remesh& remesh) {
           {"small_feature_share", remesh.small_feature_share},
           {"small_features_limited", remesh.small_features_limited},
           {"edges_flipped", remesh.edges_flipped},
+          {"glides", remesh.glides},
           {"vertices_fitted", remesh.vertices_fitted},
           {"distance_before_fit", remesh.distance_before_fit},
           {"distance_after_fit", remesh.distance_after_fit},

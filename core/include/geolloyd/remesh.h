@@ -152,6 +152,8 @@ struct Remesh {
   std::vector<PartTopology> surface_parts;  ///< of the input, cut apart where it is no manifold;
                                             ///< ascending
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
+  std::size_t glides = 0;                   ///< paths of flips by which pairs of irregular vertices
+                                            ///< met and were gone
   std::size_t vertices_fitted = 0;          ///< moved off the surface
   double distance_before_fit = 0;  ///< from points of the input to the remesh: root of the mean
                                    ///< square, mesh units; 0 without a fit

@@ -3,62 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/base/loops.h"
-#include "core/mesh/mesh_measure.h"
 
 namespace geolloyd {
 namespace {
 
 constexpr std::size_t some_triangles = 64;
 
-double area_of(const std::array<Vec3, 3>& p) {
-  return norm(cross(p[1] - p[0], p[2] - p[0])) / 2;
-}
-
 }  // namespace
 
-FitFunctional::FitFunctional(const MovingRemesh& remesh, const SurfaceSamples& samples,
+FitFunctional::FitFunctional(const MovingRemesh& remesh, const SampleSet& samples,
                              const SampleProjection& projection, std::span<const Metric> metric,
-                             bool is_graded, std::size_t held, Executor& executor)
+                             FitSetting setting, Executor& executor)
     : remesh_(remesh),
       samples_(samples),
       projection_(projection),
       metric_(metric),
-      held_(held),
+      setting_(std::move(setting)),
       executor_(executor),
       share_(remesh.triangle_count()),
+      boost_(remesh.triangle_count(), 1),
       slope_(remesh.triangle_count()) {
-  find_areas(is_graded);
-}
-
-// As now; smoothed where sizes vary, else all alike.
-void FitFunctional::find_areas(bool is_graded) {
-  constexpr int rounds = 4;
-  area_.resize(remesh_.triangle_count());
-  double sum = 0;
-  for (std::size_t t = 0; t < area_.size(); ++t) {
-    area_[t] = area_of(corners(t, remesh_.positions));
-    sum += area_[t];
-  }
-  const double mean = sum / static_cast<double>(area_.size());
-  side_ = std::sqrt(4 / std::sqrt(3.0) * mean);
-  if (!is_graded) {
-    std::fill(area_.begin(), area_.end(), mean);
-    return;
-  }
-  std::vector<double> at_vertex(remesh_.vertex_count());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t v = 0; v < at_vertex.size(); ++v) {
-      double around = 0;
-      for (const TriangleId t : remesh_.triangles_at[v]) around += area_[t];
-      const auto count = static_cast<double>(remesh_.triangles_at[v].size());
-      at_vertex[v] = count > 0 ? around / count : mean;
-    }
-    for (std::size_t t = 0; t < area_.size(); ++t) {
-      const auto& [a, b, c] = remesh_.triangles[t];
-      area_[t] = (at_vertex[a] + at_vertex[b] + at_vertex[c]) / 3;
-    }
+  for (const auto& [a, b, c] : remesh.triangles) {
+    area_.push_back((setting_.area[a] + setting_.area[b] + setting_.area[c]) / 3);
   }
 }
 
@@ -66,7 +35,8 @@ void FitFunctional::begin_round() {
   from_ = remesh_.positions;
   find_strains();
   find_pulls();
-  find_value();
+  find_squares();
+  find_planes();
 }
 
 // Seen along the mean normal of the corners on no curve, for a curve's lies between faces.
@@ -79,7 +49,7 @@ void FitFunctional::find_strains() {
     Vec3 seen_along = Vec3::Zero();
     if (metric_.empty()) {
       for (const VertexId v : remesh_.triangles[t]) {
-        if (v >= held_) seen_along += normals[v];
+        if (v >= setting_.on_curves) seen_along += normals[v];
       }
     } else {
       const auto& [a, b, c] = remesh_.triangles[t];
@@ -104,7 +74,11 @@ void FitFunctional::find_pulls() {
     squares += weight * projection_.square_distance(i);
   }
   mean_square_ = weights > 0 ? squares / weights : 0;
-  per_square_ = weights > 0 ? 1 / (side_ * side_ * weights) : 0;
+  if (setting_.whole) {
+    weights = setting_.whole->weight;
+    mean_square_ = setting_.whole->mean_square;
+  }
+  per_square_ = weights > 0 ? 1 / (setting_.side * setting_.side * weights) : 0;
   const auto on_triangle = bucket_sort<std::uint32_t>(
       executor_, share_.size(), samples_.size(), [&](std::size_t i, auto&& put) {
         if (triangle[i] != no_id) put(triangle[i], static_cast<std::uint32_t>(i));
@@ -123,7 +97,7 @@ void FitFunctional::add_sample(std::size_t i, TriangleId t, Share& share) const 
   const double distance = norm(foot.away);
   const double height = dot(foot.away, share.normal);
   const double weight = sample.weight * weight_of(distance * distance);
-  if (distance <= 1e-7 * side_ || std::abs(height) >= above * distance) {
+  if (distance <= 1e-7 * setting_.side || std::abs(height) >= above * distance) {
     share.pull.add(weight, foot.barycentric, height);
     return;
   }
@@ -138,25 +112,55 @@ double FitFunctional::weight_of(double square_distance) const {
   return std::min(most, std::sqrt(1 + square_distance / (6 * mean_square_)));
 }
 
-void FitFunctional::find_value() {
+void FitFunctional::find_squares() {
   const std::span<const TriangleId> triangle = projection_.triangles();
-  double squares = 0;
+  squares_ = 0;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     if (triangle[i] == no_id) continue;
     const double square = projection_.square_distance(i);
-    squares += samples_[i].weight * weight_of(square) * square;
+    squares_ += samples_[i].weight * weight_of(square) * square;
   }
-  boost_.assign(share_.size(), 1);
+}
+
+// Else strain that counts much would make a plane uneven between samples.
+void FitFunctional::find_planes() {
+  plane_.assign(remesh_.vertex_count(), Vec3::Zero());
+  parallel_for(executor_, plane_.size(), some_triangles, [&](std::size_t v) {
+    if (v < setting_.held || remesh_.triangles_at[v].empty()) return;
+    const Vec3& normal = share_[remesh_.triangles_at[v][0]].normal;
+    if (is_plane(v, normal)) plane_[v] = normal;
+  });
+}
+
+bool FitFunctional::is_plane(std::size_t v, const Vec3& normal) const {
+  constexpr double least_cosine = 1 - 1e-12;
+  constexpr double highest = 1e-6;  // of a side: samples, in the mean
+  return std::all_of(remesh_.triangles_at[v].begin(), remesh_.triangles_at[v].end(),
+                     [&](TriangleId t) {
+                       const Share& share = share_[t];
+                       if (!share.oblique.empty() || dot(normal, share.normal) < least_cosine)
+                         return false;
+                       for (std::size_t k = 0; k < 3; ++k) {
+                         const std::array<double, 3>& row = share.pull.matrix[k];
+                         const double weight = row[0] + row[1] + row[2];
+                         if (std::abs(share.pull.height[k]) > highest * setting_.side * weight)
+                           return false;
+                       }
+                       return true;
+                     });
+}
+
+double FitFunctional::value() const {
   double strain = 0;
   for (std::size_t t = 0; t < share_.size(); ++t) {
     Slope slope;
     add_strain(t, from_, slope);
     strain += slope.value;
   }
-  value_ = per_square_ * squares + strain;
+  return distances() + strain;
 }
 
-void FitFunctional::set_prices(std::span<const double> boost, double reluctance) {
+void FitFunctional::set_boost(std::span<const double> boost, double reluctance) {
   constexpr double stiffness_of_strain = 20;  // times the side^-2: of its second derivatives
   boost_.assign(boost.begin(), boost.end());
   std::vector<double> pull(remesh_.vertex_count(), 0);
@@ -168,7 +172,7 @@ void FitFunctional::set_prices(std::span<const double> boost, double reluctance)
       for (const Oblique& oblique : share_[t].oblique) {
         pull[v] += 2 * per_square_ * oblique.pull.matrix[k][k];
       }
-      strain[v] += price_ * boost_[t] / 6 * stiffness_of_strain / (side_ * side_);
+      strain[v] += price_ * boost_[t] / 6 * stiffness_of_strain / (setting_.side * setting_.side);
     }
   }
   resistance_.resize(pull.size());
@@ -186,13 +190,13 @@ double FitFunctional::evaluate(const std::vector<Vec3>& positions,
                [&](std::size_t t) { slope_[t] = slope_of(t, positions); });
   double value = 0;
   for (const Slope& slope : slope_) value += slope.value;
-  for (std::size_t v = held_; v < positions.size(); ++v) {
+  for (std::size_t v = setting_.held; v < positions.size(); ++v) {
     const Vec3 move = positions[v] - from_[v];
     value += resistance_[v] * dot(move, move);
   }
   parallel_for(executor_, positions.size(), some_triangles, [&](std::size_t v) {
     gradient[v] = Vec3::Zero();
-    if (v < held_) return;
+    if (v < setting_.held) return;
     gradient[v] = 2 * resistance_[v] * (positions[v] - from_[v]);
     for (const TriangleId t : remesh_.triangles_at[v]) {
       const Triangle& corner = remesh_.triangles[t];
@@ -200,6 +204,7 @@ double FitFunctional::evaluate(const std::vector<Vec3>& positions,
         if (corner[k] == v) gradient[v] += slope_[t].gradient[k];
       }
     }
+    gradient[v] -= dot(plane_[v], gradient[v]) * plane_[v];
   });
   return value;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,34 +28,47 @@ struct Pull {
   }
 };
 
+/// What a fit measures by. Unit frame.
+struct FitSetting {
+  std::size_t on_curves = 0;      ///< the first vertices: normals there lie between faces
+  std::size_t held = 0;           ///< the first vertices: they do not move
+  double side = 0;                ///< of a triangle
+  std::vector<double> area = {};  ///< per vertex: of a triangle, asked for
+  /// Of the whole remesh, where this is a part of one.
+  struct Whole {
+    double weight = 0;       ///< of all samples
+    double mean_square = 0;  ///< of their distances
+  };
+  std::optional<Whole> whole = {};
+};
+
 /// The joint functional of a fit: square distances from samples of the surface to the remesh over
 /// h^2, h being the side of its triangles, in the mean; and the strain of its triangles, in the
 /// mean, times a price.
 ///
-/// Of a round, feet and directions are fixed: those of the positions at its start. A sample pulls
-/// along the normal of its triangle, or, where its foot is on an edge or a corner and it is not
-/// above, along the way to it: an ear would retreat for good else. What is far counts more.
+/// Feet and directions are those of the start of a round. A sample pulls along the normal of its
+/// triangle. Where its foot is on an edge or a corner, and the sample is not above, it pulls along
+/// the way from its foot: otherwise an ear would retreat for good. Far samples count more. A vertex
+/// whose triangles and samples are all in a plane stays in it.
 class FitFunctional {
  public:
-  FitFunctional(const MovingRemesh& remesh, const SurfaceSamples& samples,
-                const SampleProjection& projection, std::span<const Metric> metric, bool is_graded,
-                std::size_t held, Executor& executor);
+  FitFunctional(const MovingRemesh& remesh, const SampleSet& samples,
+                const SampleProjection& projection, std::span<const Metric> metric,
+                FitSetting setting, Executor& executor);
 
-  /// Side of a triangle. Unit frame.
-  [[nodiscard]] double side() const { return side_; }
-  /// Of strain.
-  void set_price(double price) {
-    price_ = price / static_cast<double>(share_.size());
-    begin_round();
-  }
+  [[nodiscard]] const FitSetting& setting() const { return setting_; }
+  /// Of a triangle's strain, from the next round on.
+  void set_price(double price) { price_ = price; }
   /// From the remesh and the projection as they are.
   void begin_round();
-  /// Of the start of the round.
-  [[nodiscard]] double value() const { return value_; }
+  /// Of the start of the round, with the boost that is set.
+  [[nodiscard]] double value() const;
+  /// Of that, the distances.
+  [[nodiscard]] double distances() const { return per_square_ * squares_; }
 
   /// Where each triangle's strain counts `boost` times, and moves have a price: `reluctance` times
   /// that of the samples' pull.
-  void set_prices(std::span<const double> boost, double reluctance);
+  void set_boost(std::span<const double> boost, double reluctance);
   /// After the moves of the round.
   double evaluate(const std::vector<Vec3>& positions, std::vector<Vec3>& gradient) const;
   /// Per vertex: the inverse of what it resists a move with.
@@ -78,10 +92,11 @@ class FitFunctional {
     std::array<Vec3, 3> gradient = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   };
 
-  void find_areas(bool is_graded);
   void find_strains();
   void find_pulls();
-  void find_value();
+  void find_squares();
+  void find_planes();
+  [[nodiscard]] bool is_plane(std::size_t v, const Vec3& normal) const;
   void add_sample(std::size_t i, TriangleId t, Share& share) const;
   [[nodiscard]] double weight_of(double square_distance) const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t t, const std::vector<Vec3>& at) const;
@@ -91,20 +106,20 @@ class FitFunctional {
                 Slope& slope) const;
 
   const MovingRemesh& remesh_;
-  const SurfaceSamples& samples_;
+  const SampleSet& samples_;
   const SampleProjection& projection_;
   std::span<const Metric> metric_;  // per vertex; empty: none
-  std::size_t held_;
+  FitSetting setting_;
   Executor& executor_;
-  double side_ = 0;
-  double price_ = 0;        // of a triangle's strain
-  double mean_square_ = 0;  // of distances
-  double per_square_ = 0;   // price of a sample's square distance, per weight
-  double value_ = 0;
+  double price_ = 0;                // of a triangle's strain
+  double mean_square_ = 0;          // of distances
+  double per_square_ = 0;           // price of a sample's square distance, per weight
+  double squares_ = 0;              // of the start of the round, weighted
   std::vector<double> area_;        // per triangle: asked for
   std::vector<MetricRoot> root_;    // per triangle; empty: no metric
   std::vector<Share> share_;        // per triangle
   std::vector<Vec3> from_;          // per vertex: at the start of the round
+  std::vector<Vec3> plane_;         // per vertex: normal of the plane it stays in; zero: none
   std::vector<double> boost_;       // per triangle
   std::vector<double> resistance_;  // per vertex, to a move
   std::vector<double> preconditioner_;

@@ -8,28 +8,34 @@
 namespace geolloyd {
 namespace {
 
-// The cosine of an angle that is 2 degrees smaller.
+// The cosine of an angle that is 2 degrees smaller; that of a small angle.
 double turned_by_two_degrees(double cosine) {
+  constexpr double cosine_of_eight = 0.9902680687415704;
   constexpr double cosine_of_two = 0.9993908270190958;
   constexpr double sine_of_two = 0.03489949670250097;
-  if (cosine >= cosine_of_two) return 1;
+  if (cosine >= cosine_of_eight) return cosine;
   return cosine * cosine_of_two + std::sqrt(1 - cosine * cosine) * sine_of_two;
 }
 
 }  // namespace
 
-FitGuards::FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric)
+FitGuards::FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric, double side)
     : remesh_(remesh),
       metric_(metric),
-      most_cosine_(std::min(turned_by_two_degrees(largest_cosine_of_all()), 1.0)) {}
+      most_cosine_(std::min(turned_by_two_degrees(largest_cosine_of_all()), 1.0)),
+      highest_(0.6 * side),
+      normal_(normals_at_vertices(remesh)) {}
 
-std::vector<std::uint8_t> FitGuards::corners_of_bad_triangles() const {
-  std::vector<std::uint8_t> is_corner(remesh_.vertex_count(), 0);
+std::vector<std::uint8_t> FitGuards::bad_vertices() const {
+  std::vector<std::uint8_t> is_bad_one(remesh_.vertex_count(), 0);
+  for (std::size_t v = 0; v < is_bad_one.size(); ++v) {
+    if (std::abs(dot(remesh_.move_of(v), normal_[v])) > highest_) is_bad_one[v] = 1;
+  }
   for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
     if (!is_bad(t)) continue;
-    for (const VertexId v : remesh_.triangles[t]) is_corner[v] = 1;
+    for (const VertexId v : remesh_.triangles[t]) is_bad_one[v] = 1;
   }
-  return is_corner;
+  return is_bad_one;
 }
 
 bool FitGuards::is_bad(TriangleId t) const {

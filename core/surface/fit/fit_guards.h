@@ -11,14 +11,16 @@
 namespace geolloyd {
 
 /// What a fit must not do to triangles: no angle gets smaller than the smallest one was at first,
-/// less 2 degrees, and no triangle turns by more than 75 degrees. Angles are those in `metric`, of
-/// each vertex of the remesh, if there is one.
+/// less 2 degrees where that was above 8, no triangle turns by more than 75 degrees, and no vertex
+/// rises above the remesh by more than three fifths of a side: samples do not see how far out it is.
+/// Angles are those in `metric`, of each vertex of the remesh, if there is one.
 class FitGuards {
  public:
-  FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric);
+  /// `side` of a triangle.
+  FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric, double side);
 
-  /// Per vertex: 1 where it is one.
-  [[nodiscard]] std::vector<std::uint8_t> corners_of_bad_triangles() const;
+  /// Per vertex: 1 where it is one, or a corner of a bad triangle.
+  [[nodiscard]] std::vector<std::uint8_t> bad_vertices() const;
 
  private:
   [[nodiscard]] bool is_bad(TriangleId t) const;
@@ -28,6 +30,8 @@ class FitGuards {
   const MovingRemesh& remesh_;
   std::span<const Metric> metric_;  // per vertex; empty: none
   double most_cosine_;              // of a smallest angle
+  double highest_;
+  std::vector<Vec3> normal_;  // per vertex: at first
 };
 
 }  // namespace geolloyd

@@ -20,7 +20,6 @@ class Lbfgs {
       : function_(function), options_(options), x_(x), gradient_(x.size()) {}
 
   void run() {
-    constexpr double least_gain = 1e-6;
     value_ = function_(x_, gradient_);
     for (int i = 0; i < options_.iterations; ++i) {
       const double before = value_;
@@ -29,7 +28,7 @@ class Lbfgs {
         pairs_.clear();  // what was learned is of no use here
         continue;
       }
-      if (before - value_ < least_gain * std::abs(value_)) return;
+      if (before - value_ < options_.least_gain * std::abs(value_)) return;
     }
   }
 

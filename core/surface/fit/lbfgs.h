@@ -15,10 +15,11 @@ struct DescentOptions {
   std::span<const double> preconditioner;  ///< per point: the inverse of how stiff it is
   double longest_step = 0;                 ///< of a point in an iteration
   int iterations = 0;
+  double least_gain = 1e-6;  ///< of an iteration, over the function: else it is the last
 };
 
-/// Moves points downhill by L-BFGS (Liu and Nocedal 1989) with backtracking, until an iteration
-/// brings less than a millionth. Sums are made in the order of points.
+/// Moves points downhill by L-BFGS (Liu and Nocedal 1989) with backtracking. Sums are made in the
+/// order of points.
 void descend(const PointsFunction& function, const DescentOptions& options, std::vector<Vec3>& x);
 
 }  // namespace geolloyd

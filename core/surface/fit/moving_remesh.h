@@ -12,6 +12,7 @@ struct MovingRemesh : Mesh {
   std::vector<Vec3> start;            ///< per vertex: where it was at first
   Bucketed<TriangleId> triangles_at;  ///< per vertex, ascending
 
+  MovingRemesh() = default;
   MovingRemesh(const SurfaceFrame& frame, const Mesh& remesh, Executor& executor);
 
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return positions[v] - start[v]; }

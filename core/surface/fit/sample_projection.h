@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/surface/fit/moving_remesh.h"
@@ -18,14 +19,16 @@ struct Foot {
   Vec3 away = Vec3::Zero();  ///< to the sample
 };
 
-/// The samples of a surface, projected onto a remesh: each onto the nearest of the triangles at the
-/// vertex that its place belongs to.
+/// The samples of a surface, projected onto a remesh. The search for the nearest triangle begins at
+/// the vertex that a sample's place belongs to, and goes from triangle to triangle.
 class SampleProjection {
  public:
-  SampleProjection(const SurfaceSamples& samples, const MovingRemesh& remesh, Executor& executor)
+  SampleProjection(const SampleSet& samples, const MovingRemesh& remesh, Executor& executor)
       : samples_(samples), remesh_(remesh), executor_(executor) {}
 
-  /// Onto the remesh as it now is.
+  /// Where to begin the search for the triangle of each sample, instead of at its vertex.
+  void begin_at(std::vector<TriangleId> triangles) { triangle_ = std::move(triangles); }
+  /// Onto the remesh as it now is. Searches begin where the last ones ended.
   FitError project();
 
   /// Of the last projection, per sample: the triangle, or no_id where the vertex has none.
@@ -40,9 +43,9 @@ class SampleProjection {
   [[nodiscard]] Foot foot_on(TriangleId t, const Vec3& point) const;
 
  private:
-  [[nodiscard]] Foot foot_of(const Sample& sample) const;
+  [[nodiscard]] Foot foot_of(std::size_t sample) const;
 
-  const SurfaceSamples& samples_;
+  const SampleSet& samples_;
   const MovingRemesh& remesh_;
   Executor& executor_;
   std::vector<TriangleId> triangle_;     // per sample

@@ -1,11 +1,13 @@
 #include "core/surface/fit/surface_fit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/mesh_quality.h"
+#include "core/surface/fit/asked_areas.h"
 #include "core/surface/fit/fit_functional.h"
 #include "core/surface/fit/fit_guards.h"
 #include "core/surface/fit/lbfgs.h"
@@ -14,7 +16,12 @@
 namespace geolloyd {
 namespace {
 
-constexpr double least_reluctance = 0.02;
+constexpr std::size_t samples_per_vertex = 16;
+
+FitSetting setting_of(const MovingRemesh& remesh, bool is_graded, std::size_t held) {
+  AskedAreas asked = find_asked_areas(remesh, is_graded);
+  return {held, held, asked.side, std::move(asked.at_vertex), {}};
+}
 
 class Fitter {
  public:
@@ -22,23 +29,27 @@ class Fitter {
          std::span<const Metric> metric, const Mesh& remesh, Executor& executor)
       : held_(held),
         metric_(metric),
-        samples_(input.fine, labels, remesh.vertex_count()),
+        samples_(input.fine, labels, remesh.vertex_count(), samples_per_vertex),
         remesh_(input.frame, remesh, executor),
-        guards_(remesh_, metric),
         projection_(samples_, remesh_, executor),
-        functional_(remesh_, samples_, projection_, metric, !input.fine.inverse_sizing.empty(),
-                    held, executor),
-        boost_(remesh.triangle_count(), 1) {}
+        functional_(remesh_, samples_, projection_, metric,
+                    setting_of(remesh_, !input.fine.inverse_sizing.empty(), held), executor),
+        guards_(remesh_, metric, functional_.setting().side),
+        boost_(remesh.triangle_count()) {}
 
   // Where closer and more regular do not go together, closer counts more.
   FitResult run() {
     FitResult result;
-    result.before = begin_round();
-    for (const double price : {0.006, 0.00075}) {
-      result.after = fit(price, result.before);
-      if (result.after.sum_of_squares < result.before.sum_of_squares) break;
+    result.before = projection_.project();
+    result.negligible = 1e-3 * functional_.setting().side;
+    const FitError allowed = {
+        std::max(result.before.mean_square, result.negligible * result.negligible),
+        std::max(result.before.largest, result.negligible)};
+    for (const double price : {0.0065, 0.00075}) {
+      result.after = fit(price, allowed.largest);
+      if (result.after.mean_square < allowed.mean_square) break;
       remesh_.positions = remesh_.start;
-      result.after = begin_round();
+      result.after = projection_.project();
     }
     for (std::size_t v = 0; v < remesh_.vertex_count(); ++v) {
       result.moved += remesh_.positions[v] != remesh_.start[v] ? 1 : 0;
@@ -49,13 +60,13 @@ class Fitter {
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return remesh_.move_of(v); }
 
  private:
-  // `price` of a triangle's strain.
-  FitError fit(double price, const FitError& before) {
-    functional_.set_price(price);
+  // From the start, where samples are projected. `price` of strain.
+  FitError fit(double price, double largest_allowed) {
+    functional_.set_price(price / static_cast<double>(boost_.size()));
+    functional_.begin_round();
     boost_.assign(boost_.size(), 1);
     descend_in_rounds();
-    put_back(before.largest);
-    return begin_round();
+    return put_back(largest_allowed);
   }
 
   // Where a round ends higher than it began, as feet are elsewhere then, it is taken back, and the
@@ -64,12 +75,14 @@ class Fitter {
     constexpr int rounds = 8;
     constexpr int most_taken_back = 4;
     constexpr double highest = 1.0005;
+    constexpr double least_reluctance = 0.02;
     double reluctance = least_reluctance;
     for (int round = 0, taken_back = 0; round < rounds;) {
       const std::vector<Vec3> before = remesh_.positions;
-      const double value = functional_.value();
       update_boost();
-      move(reluctance);
+      functional_.set_boost(boost_, reluctance);
+      const double value = functional_.value();
+      move();
       begin_round();
       if (functional_.value() <= highest * value) {
         reluctance = std::max(least_reluctance, reluctance / 2);
@@ -83,15 +96,15 @@ class Fitter {
     }
   }
 
-  void move(double reluctance) {
+  void move() {
     constexpr double longest_step = 0.15;
     constexpr int iterations = 12;
-    functional_.set_prices(boost_, reluctance);
     const PointsFunction function = [&](const std::vector<Vec3>& x, std::vector<Vec3>& gradient) {
       return functional_.evaluate(x, gradient);
     };
     std::vector<Vec3> x = remesh_.positions;
-    descend(function, {functional_.preconditioner(), longest_step * functional_.side(), iterations},
+    descend(function,
+            {functional_.preconditioner(), longest_step * functional_.setting().side, iterations},
             x);
     remesh_.positions = std::move(x);
   }
@@ -117,25 +130,25 @@ class Fitter {
     }
   }
 
-  FitError begin_round() {
-    const FitError error = projection_.project();
+  void begin_round() {
+    projection_.project();
     functional_.begin_round();
-    return error;
   }
 
-  // What is bad goes back to where it was at first, until nothing is: the corners of triangles that
-  // are folded or have small angles, and of those with samples farther than any was.
-  void put_back(double largest) {
-    for (bool any = true; any;) {
-      projection_.project();
-      std::vector<std::uint8_t> goes_back = guards_.corners_of_bad_triangles();
+  // Bad vertices go back to where they were at first, until none is bad: those that guards name,
+  // and corners of triangles with samples farther than any was.
+  FitError put_back(double largest) {
+    while (true) {
+      const FitError error = projection_.project();
+      std::vector<std::uint8_t> goes_back = guards_.bad_vertices();
       mark_far(largest, goes_back);
-      any = false;
+      bool any = false;
       for (std::size_t v = 0; v < goes_back.size(); ++v) {
         if (goes_back[v] == 0 || remesh_.positions[v] == remesh_.start[v]) continue;
         remesh_.positions[v] = remesh_.start[v];
         any = true;
       }
+      if (!any) return error;
     }
   }
 
@@ -152,9 +165,9 @@ class Fitter {
   std::span<const Metric> metric_;
   SurfaceSamples samples_;
   MovingRemesh remesh_;
-  FitGuards guards_;
   SampleProjection projection_;
   FitFunctional functional_;
+  FitGuards guards_;
   std::vector<double> boost_;  // per triangle
 };
 

@@ -9,13 +9,14 @@ namespace geolloyd {
 
 /// How far the samples of a surface are from a remesh, unit frame.
 struct FitError {
-  double sum_of_squares = 0;  ///< weighted by area
+  double mean_square = 0;  ///< weighted by area
   double largest = 0;
 };
 
 struct FitResult {
   FitError before;
   FitError after;
+  double negligible = 0;  ///< a distance: a thousandth of a triangle's side
   std::size_t moved = 0;  ///< vertices
 };
 
@@ -24,12 +25,13 @@ struct FitResult {
 /// side of it. What is made least is fit_functional.h's sum of distances and strain. `labels` tell
 /// the vertex of the remesh that each vertex of `input.fine` belongs to.
 ///
-/// The first `held` vertices are fixed. Where a triangle would turn by more than 75 degrees, an
-/// angle would be smaller than the smallest one was less 2 degrees, or a point of the surface would
-/// be farther than the farthest one was, the vertices there stay where they were, and the others
-/// move. If the sum of square distances would grow, distances count eight times as much; if it
-/// still would, nothing moves. Strain and angles are those in `metric`, of each vertex of the
-/// remesh, if there is one.
+/// The first `held` vertices are fixed. Where a triangle would turn by more than 75 degrees, a
+/// vertex rise by three fifths of a side, an angle would be smaller than the smallest one was less 2
+/// degrees, or a point of the surface would be farther than the farthest one was, the vertices
+/// there stay where they were, and the others move. If the mean of square distances would grow,
+/// distances count eight times as much; if it still would, nothing moves. Negligible distances may
+/// grow, though, as where all is plane. Strain and angles are those in `metric`, of each vertex of
+/// the remesh, if there is one.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
                          Executor& executor = sequential());

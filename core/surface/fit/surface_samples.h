@@ -16,22 +16,31 @@ struct Sample {
   RegionId near;
 };
 
+class SampleSet {
+ public:
+  virtual ~SampleSet() = default;
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  [[nodiscard]] virtual Sample operator[](std::size_t i) const = 0;
+};
+
 /// Points all over a surface: centroids of triangles where there are many, else centroids and
 /// corners, by the rule that is exact for polynomials of degree 2. There are too many to be kept:
 /// each is found when it is asked for.
-class SurfaceSamples {
+class SurfaceSamples final : public SampleSet {
  public:
-  SurfaceSamples(const FineMesh& fine, std::span<const RegionId> labels, std::size_t vertices)
+  /// At least `per_vertex` for each of the remesh.
+  SurfaceSamples(const FineMesh& fine, std::span<const RegionId> labels, std::size_t vertices,
+                 std::size_t per_vertex)
       : fine_(fine),
         labels_(labels),
         has_corners_(fine.triangle_count() < per_vertex * vertices),
         stride_(std::max<std::size_t>(1, fine.triangle_count() / (per_vertex * vertices))),
         centroids_((fine.triangle_count() + stride_ - 1) / stride_) {}
 
-  [[nodiscard]] std::size_t size() const {
+  [[nodiscard]] std::size_t size() const override {
     return centroids_ + (has_corners_ ? fine_.vertex_count() : 0);
   }
-  [[nodiscard]] Sample operator[](std::size_t i) const {
+  [[nodiscard]] Sample operator[](std::size_t i) const override {
     const std::vector<Vec3>& p = fine_.positions;
     if (i < centroids_) {
       const auto t = static_cast<TriangleId>(i * stride_);
@@ -46,8 +55,6 @@ class SurfaceSamples {
   }
 
  private:
-  static constexpr std::size_t per_vertex = 16;
-
   const FineMesh& fine_;
   std::span<const RegionId> labels_;
   bool has_corners_;

@@ -17,7 +17,8 @@
 #include "core/surface/features/patches.h"
 #include "core/surface/features/small_features.h"
 #include "core/surface/fit/surface_fit.h"
-#include "core/surface/result/edge_flips.h"
+#include "core/surface/flips/edge_flips.h"
+#include "core/surface/flips/glides.h"
 #include "core/surface/result/site_places.h"
 #include "core/surface/result/subresolution_holes.h"
 #include "core/surface/result/surface_repair.h"
@@ -120,7 +121,7 @@ class Remesher {
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
     if (options_.fit && result.is_manifold()) {
-      fit(shape, result);
+      finish(shape, result);
       place_fitted(mesh_, input_, result.mesh.positions, dualised_.state.labels,
                    surface_->curves.vertices, sites.on_curves, result.places, executor_);
     }
@@ -148,16 +149,41 @@ class Remesher {
         std::count_if(area.begin(), area.end(), [&](double a) { return a < least; }));
   }
 
-  void fit(std::span<const Metric> shape, Remesh& result) const {
-    const FitResult fit =
-        fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
-                       result.mesh, executor_);
+  void finish(std::span<const Metric> shape, Remesh& result) const {
+    FitResult fitted = fit(shape, result.mesh);
+    if (shape.empty()) glide(result, fitted);
     const auto distance = [&](const FitError& error) {
-      return std::sqrt(error.sum_of_squares / input_.fine.whole_area) / input_.frame.scale;
+      return std::sqrt(error.mean_square) / input_.frame.scale;
     };
-    result.vertices_fitted = fit.moved;
-    result.distance_before_fit = distance(fit.before);
-    result.distance_after_fit = distance(fit.moved > 0 ? fit.after : fit.before);
+    result.vertices_fitted = fitted.moved;
+    result.distance_before_fit = distance(fitted.before);
+    result.distance_after_fit = distance(fitted.moved > 0 ? fitted.after : fitted.before);
+  }
+
+  [[nodiscard]] FitResult fit(std::span<const Metric> shape, Mesh& remesh) const {
+    return fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
+                          remesh, executor_);
+  }
+
+  // Then the fit is made anew. Where it ends farther from the surface, all stays as it was.
+  void glide(Remesh& result, FitResult& fitted) const {
+    constexpr double farther = 1.05;       // times: root of the mean square
+    constexpr double farther_at_most = 2;  // times: the largest distance
+    constexpr double close = 4;  // times what is negligible: the root, on mechanical parts
+    Mesh gliding = result.mesh;
+    const std::size_t glides =
+        glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
+                        edges_on_curves(), gliding, executor_);
+    if (glides == 0) return;
+    const FitResult anew = fit({}, gliding);
+    const double root =
+        std::max(farther * std::sqrt(fitted.after.mean_square), close * anew.negligible);
+    const double largest = std::max(farther_at_most * fitted.after.largest, anew.negligible);
+    if (anew.after.mean_square > root * root || anew.after.largest > largest) return;
+    result.mesh = std::move(gliding);
+    result.glides = glides;
+    fitted.after = anew.after;
+    fitted.moved = std::max(fitted.moved, anew.moved);
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/surface/substrate/surface_input.h"
+
+namespace geolloyd {
+
+/// Makes a fitted remesh more regular: irregular vertices glide by flips of edges until they meet
+/// others and both are gone (glide_paths.h), wherever that pays (glide_trial.h). The first `held`
+/// vertices stay, and so do edges of `kept` (each ascending; ascending) and the topology. `labels`
+/// tell the vertex of the remesh that each vertex of `input.fine` belongs to. Returns how many
+/// paths were gone.
+///
+/// The order is that of vertices, on any number of threads: what is tried at once is tried anew
+/// where an earlier change was near.
+std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
+                            std::size_t held, std::span<const std::array<VertexId, 2>> kept,
+                            Mesh& remesh, Executor& executor = sequential());
+
+}  // namespace geolloyd

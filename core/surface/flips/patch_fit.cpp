@@ -1,0 +1,136 @@
+#include "core/surface/flips/patch_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/mesh/mesh_quality.h"
+#include "core/surface/fit/lbfgs.h"
+
+namespace geolloyd {
+
+// First those on curves, then others of no place in the region, then those that move.
+PatchFit::Part::Part(const GlidingRemesh& of_whole, const GlidePatch& patch,
+                     const GlidePatch::Region& region)
+    : whole(of_whole) {
+  std::vector<std::uint8_t> moves(patch.vertices().size(), 0);
+  for (const VertexId v : region.vertices) moves[v] = patch.vertex(v) >= whole.fit.held ? 1 : 0;
+  std::vector<VertexId> number_of(patch.vertices().size(), no_id);
+  const auto take = [&](auto&& is_one) {
+    for (const TriangleId t : region.triangles) {
+      for (const VertexId v : patch.triangles()[t]) {
+        if (number_of[v] != no_id || !is_one(v)) continue;
+        number_of[v] = static_cast<VertexId>(vertex.size());
+        in_patch.push_back(v);
+        vertex.push_back(patch.vertex(v));
+        remesh.positions.push_back(patch.position(v));
+      }
+    }
+    return vertex.size();
+  };
+  on_curves = take([&](VertexId v) { return patch.vertex(v) < whole.fit.on_curves; });
+  held = take([&](VertexId v) { return moves[v] == 0; });
+  take([&](VertexId) { return true; });
+  for (const TriangleId t : region.triangles) {
+    const auto& [a, b, c] = patch.triangles()[t];
+    remesh.triangles.push_back({number_of[a], number_of[b], number_of[c]});
+    triangle.push_back(patch.triangle(t));
+    for (const PlacedSample& placed : whole.on_triangle[patch.triangle(t)]) {
+      const Sample sample = whole.samples[placed.sample];
+      samples.add({sample.point, sample.weight, number_of[a]}, placed.sample);
+      on.push_back(static_cast<TriangleId>(triangle.size() - 1));
+    }
+  }
+  remesh.start = remesh.positions;
+  remesh.triangles_at = triangles_at_vertices(remesh.vertex_count(), remesh.triangles);
+}
+
+FitSetting PatchFit::Part::setting() const {
+  FitSetting setting = {on_curves, held, whole.fit.side, {}, whole.fit.whole};
+  for (const VertexId v : vertex) setting.area.push_back(whole.fit.area[v]);
+  return setting;
+}
+
+PatchFit::PatchFit(const GlidingRemesh& whole, const GlidePatch& patch,
+                   const GlidePatch::Region& region)
+    : part_(whole, patch, region),
+      remesh_(part_.remesh),
+      projection_(part_.samples, remesh_, sequential()),
+      functional_(remesh_, part_.samples, projection_, {}, part_.setting(), sequential()) {
+  start_normals_ = normals_at_vertices(remesh_);
+  projection_.begin_at(std::move(part_.on));
+  projection_.project();
+  functional_.set_price(whole.price);
+  functional_.begin_round();
+}
+
+void PatchFit::relax(int iterations) {
+  constexpr double reluctance = 0.02;
+  constexpr double longest_step = 0.3;
+  constexpr double least_gain = 1e-4;
+  functional_.set_boost(std::vector<double>(remesh_.triangle_count(), 1), reluctance);
+  const PointsFunction function = [&](const std::vector<Vec3>& x, std::vector<Vec3>& gradient) {
+    return functional_.evaluate(x, gradient);
+  };
+  std::vector<Vec3> x = remesh_.positions;
+  descend(
+      function,
+      {functional_.preconditioner(), longest_step * part_.whole.fit.side, iterations, least_gain},
+      x);
+  remesh_.positions = std::move(x);
+  projection_.project();
+  functional_.begin_round();
+}
+
+double PatchFit::sharpest_cosine() const {
+  double sharpest = -1;
+  for (const Triangle& t : remesh_.triangles) {
+    sharpest = std::max(sharpest, cosine_of_smallest_angle(corners_of(remesh_, t)));
+  }
+  return sharpest;
+}
+
+double PatchFit::least_cosine() const {
+  const std::vector<Vec3> normals = normals_at_vertices(remesh_);
+  double least = 1;
+  for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
+    const Vec3 normal = remesh_.normal_of(t);
+    for (const VertexId v : remesh_.triangles[t]) {
+      if (v >= part_.on_curves) least = std::min(least, dot(normal, normals[v]));
+    }
+  }
+  return least;
+}
+
+double PatchFit::largest_square_distance() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < part_.samples.size(); ++i) {
+    largest = std::max(largest, projection_.square_distance(i));
+  }
+  return largest;
+}
+
+double PatchFit::largest_rise() const {
+  double largest = 0;
+  for (std::size_t v = part_.held; v < remesh_.vertex_count(); ++v) {
+    largest = std::max(largest, std::abs(dot(remesh_.move_of(v), start_normals_[v])));
+  }
+  return largest;
+}
+
+void PatchFit::move_vertices(GlidePatch& patch) const {
+  for (std::size_t i = part_.held; i < part_.vertex.size(); ++i) {
+    patch.move_to(part_.in_patch[i], remesh_.positions[i]);
+  }
+}
+
+std::vector<std::pair<TriangleId, PlacedSample>> PatchFit::placed_samples() const {
+  std::vector<std::pair<TriangleId, PlacedSample>> placed;
+  for (std::size_t i = 0; i < part_.samples.size(); ++i) {
+    placed.push_back({part_.triangle[projection_.triangles()[i]],
+                      {part_.samples.id(i), projection_.square_distance(i)}});
+  }
+  return placed;
+}
+
+}  // namespace geolloyd
