@@ -12,8 +12,8 @@ namespace geolloyd {
 
 /// What a fit must not do to triangles: no angle gets smaller than the smallest one was at first,
 /// less 2 degrees where that was above 8, no triangle turns by more than 75 degrees, and no vertex
-/// rises above the remesh by more than three fifths of a side: samples do not see how far out it is.
-/// Angles are those in `metric`, of each vertex of the remesh, if there is one.
+/// rises above the remesh by more than three fifths of a side: samples do not see how far out it
+/// is. Angles are those in `metric`, of each vertex of the remesh, if there is one.
 class FitGuards {
  public:
   /// `side` of a triangle.

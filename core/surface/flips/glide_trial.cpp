@@ -85,7 +85,7 @@ class Trial {
   Glide take_changes(const PatchFit& fit) {
     fit.move_vertices(patch_);
     for (const VertexId v : region_.vertices) {
-      glide_.moved.push_back({patch_.vertex(v), patch_.position(v)});
+      glide_.moved.emplace_back(patch_.vertex(v), patch_.position(v));
     }
     for (const TriangleId t : region_.triangles) glide_.triangles.push_back(patch_.triangle(t));
     glide_.samples = fit.placed_samples();
