@@ -165,11 +165,11 @@ class Remesher {
                           remesh, executor_);
   }
 
-  // Then the fit is made anew. Where it ends farther from the surface, all stays as it was.
+  // Then the fit is made anew. Where it ends farther from the surface, in the mean or, than before
+  // any fit, at the farthest point, all stays as it was.
   void glide(Remesh& result, FitResult& fitted) const {
-    constexpr double farther = 1.05;       // times: root of the mean square
-    constexpr double farther_at_most = 2;  // times: the largest distance
-    constexpr double close = 4;  // times what is negligible: the root, on mechanical parts
+    constexpr double farther = 1.05;  // times
+    constexpr double close = 4;       // times what is negligible: the root, on mechanical parts
     Mesh gliding = result.mesh;
     const std::size_t glides =
         glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
@@ -178,7 +178,7 @@ class Remesher {
     const FitResult anew = fit({}, gliding);
     const double root =
         std::max(farther * std::sqrt(fitted.after.mean_square), close * anew.negligible);
-    const double largest = std::max(farther_at_most * fitted.after.largest, anew.negligible);
+    const double largest = std::max(farther * fitted.before.largest, anew.negligible);
     if (anew.after.mean_square > root * root || anew.after.largest > largest) return;
     result.mesh = std::move(gliding);
     result.glides = glides;
