@@ -82,7 +82,7 @@ Foot SampleProjection::foot_on(TriangleId t, const Vec3& point) const {
   double u = dot(cross(p[1], p[2]), normal);
   double v = dot(cross(p[2], p[0]), normal);
   double w = dot(cross(p[0], p[1]), normal);
-  constexpr double inside = 1e-3;
+  constexpr double inside = 1e-3;  // of the shares: then the foot of the perpendicular is it
   const double sum = u + v + w;
   if (std::min({u, v, w}) > inside * sum) {
     v /= sum;

@@ -107,7 +107,7 @@ bool GlidePatch::is_upright_flipped(FlippableTriangles::Side side) const {
   return dot(cross(ab, ad), normal) > least && dot(cross(ad, ac), normal) > least;
 }
 
-std::size_t GlidePatch::irregular(const Region& region) const {
+std::size_t GlidePatch::count_irregular(const Region& region) const {
   return static_cast<std::size_t>(std::count_if(region.vertices.begin(), region.vertices.end(),
                                                 [&](VertexId v) { return excess_[v] != 0; }));
 }

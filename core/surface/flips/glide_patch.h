@@ -28,15 +28,14 @@ class GlidePatch {
   void flip(FlippableTriangles::Side side);
   /// Whether both triangles would have some area, seen along the normal of those that are there.
   [[nodiscard]] bool is_upright_flipped(FlippableTriangles::Side side) const;
-  /// Of edges at a vertex from 6; 0 on the boundary.
+  /// How many neighbours a vertex has beyond 6; below 0 where it has fewer. 0 on the boundary.
   [[nodiscard]] int excess(VertexId v) const { return excess_[v]; }
+  /// Not on the boundary of the remesh.
   [[nodiscard]] bool is_inside(VertexId v) const { return is_inside_[v] != 0; }
 
   /// What irregular vertices cost: 1 for one edge too many or few, 5 for two, 8 for three...
   [[nodiscard]] int irregularity(const Region& region) const;
-  /// How many are irregular.
-  [[nodiscard]] std::size_t irregular(const Region& region) const;
-  void move_to(VertexId v, const Vec3& position) { position_[v] = position; }
+  [[nodiscard]] std::size_t count_irregular(const Region& region) const;
 
   [[nodiscard]] const FlippableTriangles& triangles() const { return triangles_; }
   [[nodiscard]] const Vec3& position(VertexId v) const { return position_[v]; }
@@ -48,6 +47,7 @@ class GlidePatch {
  private:
   void add_rings(VertexId centre, std::size_t rings, std::vector<Triangle>& triangles);
   void take_vertices();
+
   const GlidingRemesh* remesh_;
   std::vector<VertexId> vertex_;      // per vertex: of the remesh
   std::vector<TriangleId> triangle_;  // per triangle: of the remesh

@@ -26,8 +26,8 @@ class Trial {
     region_ = patch_.region_about(ends, rings);
     PatchFit before(remesh_, patch_, region_);
     const int irregularity = patch_.irregularity(region_);
-    const std::size_t irregular_before = patch_.irregular(region_);
-    if (!flip(path) || patch_.irregular(region_) > irregular_before) return {};
+    const std::size_t irregular_before = patch_.count_irregular(region_);
+    if (!flip(path) || patch_.count_irregular(region_) > irregular_before) return {};
     const double irregular = price * (patch_.irregularity(region_) - irregularity);
     PatchFit after(remesh_, patch_, region_);
     const auto change = [&] { return after.value() - before.value() + irregular; };
@@ -83,10 +83,7 @@ class Trial {
   }
 
   Glide take_changes(const PatchFit& fit) {
-    fit.move_vertices(patch_);
-    for (const VertexId v : region_.vertices) {
-      glide_.moved.emplace_back(patch_.vertex(v), patch_.position(v));
-    }
+    glide_.positions = fit.positions();
     for (const TriangleId t : region_.triangles) glide_.triangles.push_back(patch_.triangle(t));
     glide_.samples = fit.placed_samples();
     return std::move(glide_);

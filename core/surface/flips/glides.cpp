@@ -81,7 +81,7 @@ class Glider {
 
   void commit(const Glide& glide) {
     for (const FlippableTriangles::Side& side : glide.flips) remesh_.triangles.flip(side);
-    for (const auto& [v, position] : glide.moved) {
+    for (const auto& [v, position] : glide.positions) {
       remesh_.positions[v] = position;
       changed_[v] = 1;
       touched_.push_back(v);

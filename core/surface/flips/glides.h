@@ -12,10 +12,10 @@ namespace geolloyd {
 /// others and both are gone (glide_paths.h), wherever that pays (glide_trial.h). The first `held`
 /// vertices stay, and so do edges of `kept` (each ascending; ascending) and the topology. `labels`
 /// tell the vertex of the remesh that each vertex of `input.fine` belongs to. Returns how many
-/// paths were gone.
+/// paths were taken.
 ///
-/// The order is that of vertices, on any number of threads: what is tried at once is tried anew
-/// where an earlier change was near.
+/// The result is that of one vertex after the other, on any number of threads. Some are tried at
+/// once; one is tried anew where an earlier one has changed what it saw.
 std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
                             Mesh& remesh, Executor& executor = sequential());

@@ -21,7 +21,6 @@ PatchFit::Part::Part(const GlidingRemesh& of_whole, const GlidePatch& patch,
       for (const VertexId v : patch.triangles()[t]) {
         if (number_of[v] != no_id || !is_one(v)) continue;
         number_of[v] = static_cast<VertexId>(vertex.size());
-        in_patch.push_back(v);
         vertex.push_back(patch.vertex(v));
         remesh.positions.push_back(patch.position(v));
       }
@@ -118,10 +117,12 @@ double PatchFit::largest_rise() const {
   return largest;
 }
 
-void PatchFit::move_vertices(GlidePatch& patch) const {
-  for (std::size_t i = part_.held; i < part_.vertex.size(); ++i) {
-    patch.move_to(part_.in_patch[i], remesh_.positions[i]);
+std::vector<std::pair<VertexId, Vec3>> PatchFit::positions() const {
+  std::vector<std::pair<VertexId, Vec3>> positions;
+  for (std::size_t v = 0; v < part_.vertex.size(); ++v) {
+    positions.emplace_back(part_.vertex[v], remesh_.positions[v]);
   }
+  return positions;
 }
 
 std::vector<std::pair<TriangleId, PlacedSample>> PatchFit::placed_samples() const {

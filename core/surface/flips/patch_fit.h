@@ -44,14 +44,14 @@ class PatchFit {
   [[nodiscard]] double sharpest_cosine() const;
   /// The least cosine between a triangle's normal and one of its corners'.
   [[nodiscard]] double least_cosine() const;
-  /// Of a sample.
+  /// Of all samples.
   [[nodiscard]] double largest_square_distance() const;
 
   /// How far a vertex has moved along its normal.
   [[nodiscard]] double largest_rise() const;
 
-  /// Where the vertices of the region are now.
-  void move_vertices(GlidePatch& patch) const;
+  /// Vertices of the remesh, and where they are now.
+  [[nodiscard]] std::vector<std::pair<VertexId, Vec3>> positions() const;
   /// Samples, each with the triangle of the remesh that it is nearest to now.
   [[nodiscard]] std::vector<std::pair<TriangleId, PlacedSample>> placed_samples() const;
 
@@ -62,8 +62,7 @@ class PatchFit {
     [[nodiscard]] FitSetting setting() const;
 
     const GlidingRemesh& whole;
-    std::vector<VertexId> in_patch;  // per vertex
-    std::vector<VertexId> vertex;    // per vertex: of the whole; those that do not move come first
+    std::vector<VertexId> vertex;  // per vertex: of the whole; those that do not move come first
     std::vector<TriangleId> triangle;  // per triangle: of the whole
     std::size_t on_curves = 0;
     std::size_t held = 0;

@@ -121,7 +121,7 @@ class Remesher {
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
     if (options_.fit && result.is_manifold()) {
-      finish(shape, result);
+      fit_and_glide(shape, on_curves, result);
       place_fitted(mesh_, input_, result.mesh.positions, dualised_.state.labels,
                    surface_->curves.vertices, sites.on_curves, result.places, executor_);
     }
@@ -149,9 +149,10 @@ class Remesher {
         std::count_if(area.begin(), area.end(), [&](double a) { return a < least; }));
   }
 
-  void finish(std::span<const Metric> shape, Remesh& result) const {
+  void fit_and_glide(std::span<const Metric> shape,
+                     std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) const {
     FitResult fitted = fit(shape, result.mesh);
-    if (shape.empty()) glide(result, fitted);
+    if (shape.empty()) glide(on_curves, result, fitted);
     const auto distance = [&](const FitError& error) {
       return std::sqrt(error.mean_square) / input_.frame.scale;
     };
@@ -165,15 +166,16 @@ class Remesher {
                           remesh, executor_);
   }
 
-  // Then the fit is made anew. Where it ends farther from the surface, in the mean or, than before
-  // any fit, at the farthest point, all stays as it was.
-  void glide(Remesh& result, FitResult& fitted) const {
+  // After the glides the fit is made anew. All stays as it was where the mean distance grows, or
+  // where the farthest point is farther than before any fit.
+  void glide(std::span<const std::array<VertexId, 2>> on_curves, Remesh& result,
+             FitResult& fitted) const {
     constexpr double farther = 1.05;  // times
     constexpr double close = 4;       // times what is negligible: the root, on mechanical parts
     Mesh gliding = result.mesh;
     const std::size_t glides =
-        glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
-                        edges_on_curves(), gliding, executor_);
+        glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves, on_curves,
+                        gliding, executor_);
     if (glides == 0) return;
     const FitResult anew = fit({}, gliding);
     const double root =
