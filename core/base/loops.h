@@ -23,7 +23,6 @@ inline constexpr std::size_t small_items = 1 << 12;
 template <class Body>
 void parallel_for_ranges(Executor& executor, std::size_t count, std::size_t grain, Body&& body) {
   const std::size_t workers = std::min(executor.threads(), (count + grain - 1) / grain);
-  executor.heed();
   if (workers <= 1) {
     for (std::size_t begin = 0; begin < count; begin += grain) {
       executor.heed();

@@ -261,6 +261,37 @@ TEST(Features, OfAThinPlate) {
               1e-9);
 }
 
+// A plane whose edge turns back by 150 degrees into a strip that is flat or rolled up.
+Mesh folded_plane(double turn_of_strip) {
+  Mesh mesh;
+  constexpr VertexId columns = 40;
+  constexpr VertexId rows = 60;
+  constexpr double step = 0.1;
+  for (VertexId y = 0; y <= rows; ++y) {
+    Vec3 at = {0, step * y, 0};
+    double heading = 0;
+    for (VertexId x = 0; x <= columns; ++x) {
+      mesh.positions.push_back(at);
+      if (x == columns / 2) heading = 150 * std::numbers::pi / 180;
+      if (x > columns / 2) heading -= turn_of_strip;
+      at += step * Vec3(std::cos(heading), 0, std::sin(heading));
+      if (x == columns || y == rows) continue;
+      const VertexId corner = y * (columns + 1) + x;
+      mesh.triangles.push_back({corner, corner + 1, corner + columns + 2});
+      mesh.triangles.push_back({corner, corner + columns + 2, corner + columns + 1});
+    }
+  }
+  return mesh;
+}
+
+// So do scans fold, and knives have edges: there both sides are flat.
+TEST(Features, OfAFoldAreBetweenFlatSides) {
+  const Mesh knife = folded_plane(0);
+  EXPECT_NEAR(length_of(knife, find_features(knife, find_edges(knife), {}, 0.5)), 6, 1e-9);
+  const Mesh fold = folded_plane(0.2);
+  EXPECT_TRUE(find_features(fold, find_edges(fold), {}, 0.5).empty());
+}
+
 // A loose edge of a crease that ends on a smooth surface is left out where it is short.
 TEST(Features, OfACreaseThatFades) {
   Mesh plane;

@@ -156,7 +156,8 @@ TEST(FlippableTriangles, StayConnectedAfterFlips) {
 TEST(GlidePaths, OfARegularVertexAreNone) {
   const Mesh mesh = lattice(16);
   const Prepared prepared = prepare(mesh, mesh);
-  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, mesh, sequential());
+  const std::vector<std::uint8_t> barred(mesh.vertex_count(), 0);
+  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, mesh, sequential());
   EXPECT_TRUE(find_glide_paths(GlidePatch(gliding, 8 * 16 + 8, 6)).empty());
 }
 
@@ -165,7 +166,8 @@ TEST(GlidePaths, FindTheWayBack) {
   const Mesh mesh = with_flip(lattice(16), 8 * 16 + 8, 8 * 16 + 9);
   EXPECT_EQ(irregular_of(mesh), 4);
   const Prepared prepared = prepare(mesh, mesh);
-  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, mesh, sequential());
+  const std::vector<std::uint8_t> barred(mesh.vertex_count(), 0);
+  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, mesh, sequential());
   const std::vector<FlipPath> paths = find_glide_paths(GlidePatch(gliding, 8 * 16 + 8, 6));
   ASSERT_FALSE(paths.empty());
   EXPECT_EQ(paths.front().size(), 1U);
@@ -179,7 +181,8 @@ TEST(GlidePaths, LowerTheSumOfSquares) {
     if (v % 24 > 4 && v % 24 < 20) mesh = with_flip(mesh, v, v + 1);
   }
   const Prepared prepared = prepare(mesh, mesh);
-  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, mesh, sequential());
+  const std::vector<std::uint8_t> barred(mesh.vertex_count(), 0);
+  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, mesh, sequential());
   const std::vector<int> excess = excess_of(mesh);
   std::size_t paths = 0;
   for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
@@ -212,6 +215,13 @@ TEST(GlidePaths, LowerTheSumOfSquares) {
   EXPECT_GT(paths, 4U);
 }
 
+std::size_t glide(Prepared& prepared, std::size_t held = 0,
+                  std::span<const std::array<VertexId, 2>> kept = {},
+                  std::vector<std::uint8_t> barred = {}) {
+  barred.resize(prepared.remesh.vertex_count(), 0);
+  return glide_irregular(prepared.input, prepared.labels, held, kept, barred, prepared.remesh);
+}
+
 // Flips at random places of a lattice: all are gone again, and nothing else is.
 TEST(Glides, MakeALatticeRegularAgain) {
   Mesh mesh = lattice(20);
@@ -220,17 +230,29 @@ TEST(Glides, MakeALatticeRegularAgain) {
   }
   Prepared prepared = prepare(mesh, mesh);
   EXPECT_EQ(irregular_of(prepared.remesh), 16);
-  EXPECT_EQ(glide_irregular(prepared.input, prepared.labels, 0, {}, prepared.remesh), 4U);
+  EXPECT_EQ(glide(prepared), 4U);
   EXPECT_EQ(irregular_of(prepared.remesh), 0);
   EXPECT_EQ(find_topology(prepared.remesh, find_edges(prepared.remesh)).parts,
             find_topology(mesh, find_edges(mesh)).parts);
+}
+
+// About a vertex that is barred all stays; elsewhere nothing does.
+TEST(Glides, KeepClearOfWhatIsBarred) {
+  constexpr VertexId barred = 5 * 20 + 5;
+  const Mesh mesh =
+      with_flip(with_flip(lattice(20), barred, barred + 1), 14 * 20 + 13, 14 * 20 + 14);
+  Prepared prepared = prepare(mesh, mesh);
+  std::vector<std::uint8_t> is_barred(mesh.vertex_count(), 0);
+  is_barred[barred] = 1;
+  EXPECT_EQ(glide(prepared, 0, {}, is_barred), 1U);
+  EXPECT_EQ(irregular_of(prepared.remesh), 4);
 }
 
 // The 12 irregular vertices of an icosphere are those that a sphere needs.
 TEST(Glides, LeaveAnIcosphere) {
   const Mesh sphere = icosphere(642);
   Prepared prepared = prepare(sphere, sphere);
-  EXPECT_EQ(glide_irregular(prepared.input, prepared.labels, 0, {}, prepared.remesh), 0U);
+  EXPECT_EQ(glide(prepared), 0U);
   EXPECT_EQ(prepared.remesh.triangles, sphere.triangles);
   EXPECT_EQ(prepared.remesh.positions, sphere.positions);
 }
@@ -241,9 +263,9 @@ TEST(Glides, FlipNoEdgeThatIsKept) {
   const MeshEdges edges = find_edges(mesh);
   Prepared prepared = prepare(mesh, mesh);
   const std::size_t all = mesh.vertex_count();
-  EXPECT_EQ(glide_irregular(prepared.input, prepared.labels, all, edges.ends, prepared.remesh), 0U);
+  EXPECT_EQ(glide(prepared, all, edges.ends), 0U);
   EXPECT_EQ(prepared.remesh.triangles, mesh.triangles);
-  EXPECT_EQ(glide_irregular(prepared.input, prepared.labels, all, {}, prepared.remesh), 1U);
+  EXPECT_EQ(glide(prepared, all), 1U);
   EXPECT_EQ(irregular_of(prepared.remesh), 0);
   EXPECT_EQ(prepared.remesh.positions, mesh.positions);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
@@ -14,6 +15,7 @@
 #include "tests/support/odd_surfaces.h"
 #include "tests/support/shared_meshes.h"
 #include "tests/support/sharp_solids.h"
+#include "tests/support/surface.h"
 
 namespace geolloyd {
 namespace {
@@ -31,6 +33,14 @@ double volume_of(const Mesh& mesh) {
     volume += dot(mesh.positions[a], cross(mesh.positions[b], mesh.positions[c])) / 6;
   }
   return volume;
+}
+
+RegionId nearest_vertex(const Mesh& mesh, const Vec3& p) {
+  const auto square_to = [&](const Vec3& q) { return dot(p - q, p - q); };
+  const auto nearest =
+      std::min_element(mesh.positions.begin(), mesh.positions.end(),
+                       [&](const Vec3& a, const Vec3& b) { return square_to(a) < square_to(b); });
+  return static_cast<RegionId>(nearest - mesh.positions.begin());
 }
 
 // Vertices on a sphere leave all of the remesh inside; a fitted remesh has some of it outside, so
@@ -104,6 +114,26 @@ TEST(SurfaceFit, OfOneBadPlaceIsAFitElsewhere) {
     const Remesh fitted = remesh_of(mesh, vertices, true);
     EXPECT_LT(fitted.distance_after_fit, 0.8 * fitted.distance_before_fit) << vertices;
     EXPECT_GT(volume_of(fitted.mesh), 0.9 * volume_of(mesh)) << vertices;
+  }
+}
+
+// Feet are followed from triangle to triangle, and thin walls lead them astray: nevertheless no
+// point of the surface ends farther from the remesh than the farthest one was.
+TEST(SurfaceFit, LeavesNoPointFarther) {
+  for (const Mesh& mesh : {thin_torus(0.05, 24), flat_box(0.02), creature(3000, 1)}) {
+    for (const std::size_t vertices : {100U, 300U}) {
+      Mesh moving = remesh_of(mesh, vertices, false).mesh;
+      const SurfaceInput input = surface_input_of(mesh, 0.1);
+      std::vector<RegionId> labels;
+      for (const Vec3& p : input.fine.positions) {
+        labels.push_back(nearest_vertex(moving, input.frame.to_mesh(p)));
+      }
+      const FitResult result = fit_to_surface(input, labels, 0, {}, moving);
+      EXPECT_LE(result.after.largest, std::max(result.before.largest, result.negligible));
+      EXPECT_EQ(result.far_at.size(), moving.vertex_count());
+      EXPECT_EQ(*std::max_element(result.far_at.begin(), result.far_at.end()),
+                result.after.largest);
+    }
   }
 }
 

@@ -166,7 +166,7 @@ class CreaseFinder {
     double flat = 0;
     for (const EdgeId e : chain) {
       length += angles_.length(e);
-      if (is_of_planes_[e] != 0 || sides.has_one(e)) flat += angles_.length(e);
+      if (is_of_planes_[e] != 0 || sides.has_enough(e)) flat += angles_.length(e);
     }
     return flat >= flat_share * length;
   }

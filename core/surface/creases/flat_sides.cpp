@@ -67,10 +67,13 @@ class NormalsAlong {
 
 }  // namespace
 
-bool FlatSides::has_one(EdgeId e) const {
+bool FlatSides::has_enough(EdgeId e) const {
+  constexpr double folded_cosine = cosine_of_degrees(122);
   const std::span<const CornerId> corners = angles_.edges().corners(e);
-  return std::any_of(corners.begin(), corners.end(),
-                     [&](CornerId c) { return is_flat(e, triangle_of(c)); });
+  const auto is_beside = [&](CornerId c) { return is_flat(e, triangle_of(c)); };
+  return angles_.is_as_sharp(e, folded_cosine)
+             ? std::all_of(corners.begin(), corners.end(), is_beside)
+             : std::any_of(corners.begin(), corners.end(), is_beside);
 }
 
 bool FlatSides::has_planes(EdgeId e) const {

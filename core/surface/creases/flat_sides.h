@@ -6,8 +6,8 @@
 
 namespace geolloyd {
 
-/// Whether the surface is flat beside a sharp edge, on one of its sides at least: so it is where a
-/// crease was made, by whatever program, and not where a scan has noise or a soft shape a groove.
+/// Whether the surface is flat beside a sharp edge: so it is where a crease was made, by whatever
+/// program, and not where a scan has noise or a soft shape a groove.
 /// How far one looks from the edge: half a spacing, or twice the side of the triangle there (the
 /// root of its area) and not more than two lengths of the edge or 8 spacings; and never across
 /// another sharp edge. Flat is where the mean of the normals has a length of .995, which is about 6
@@ -20,7 +20,9 @@ class FlatSides {
   FlatSides(const EdgeAngles& angles, std::span<const EdgeId> sharp, double spacing)
       : angles_(angles), sharp_(sharp), spacing_(spacing) {}
 
-  [[nodiscard]] bool has_one(EdgeId e) const;
+  /// Whether one side of the edge is flat. Where the surface turns back by 122 degrees and more, as
+  /// in the folds of a scan and hardly in a part (a thread's by 120), both must be.
+  [[nodiscard]] bool has_enough(EdgeId e) const;
   /// Whether it is a spacing long and has a plane on both sides, which then are a fact of the
   /// shape, whatever else is near: two triangles and more in a plane, of 4 squares of a spacing.
   [[nodiscard]] bool has_planes(EdgeId e) const;

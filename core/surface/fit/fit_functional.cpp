@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/loops.h"
+#include "core/surface/fit/lbfgs.h"
 
 namespace geolloyd {
 namespace {
@@ -182,6 +183,18 @@ void FitFunctional::set_boost(std::span<const double> boost, double reluctance) 
     const double stiffness = pull[v] + strain[v] + 2 * resistance_[v];
     preconditioner_[v] = stiffness > 0 ? 1 / stiffness : 0;
   }
+}
+
+std::vector<Vec3> FitFunctional::descend(const FitDescent& descent) const {
+  const PointsFunction function = [&](const std::vector<Vec3>& x, std::vector<Vec3>& gradient) {
+    return evaluate(x, gradient);
+  };
+  std::vector<Vec3> x = remesh_.positions;
+  geolloyd::descend(function,
+                    {preconditioner_, descent.longest_step * setting_.side, descent.iterations,
+                     descent.least_gain},
+                    x);
+  return x;
 }
 
 double FitFunctional::evaluate(const std::vector<Vec3>& positions,

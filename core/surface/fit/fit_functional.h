@@ -42,6 +42,13 @@ struct FitSetting {
   std::optional<Whole> whole = {};
 };
 
+/// How far the vertices of a remesh go in a round of a fit.
+struct FitDescent {
+  double longest_step = 0;  ///< of a vertex in an iteration, in sides of a triangle
+  int iterations = 0;
+  double least_gain = 1e-6;  ///< PointDescent's
+};
+
 /// The joint functional of a fit: square distances from samples of the surface to the remesh over
 /// h^2, h being the side of its triangles, in the mean; and the strain of its triangles, in the
 /// mean, times a price.
@@ -69,12 +76,13 @@ class FitFunctional {
   /// Where each triangle's strain counts `boost` times, and moves have a price: `reluctance` times
   /// that of the samples' pull.
   void set_boost(std::span<const double> boost, double reluctance);
-  /// After the moves of the round.
-  double evaluate(const std::vector<Vec3>& positions, std::vector<Vec3>& gradient) const;
-  /// Per vertex: the inverse of what it resists a move with.
-  [[nodiscard]] std::span<const double> preconditioner() const { return preconditioner_; }
+  /// Where vertices are after a descent from where they are.
+  [[nodiscard]] std::vector<Vec3> descend(const FitDescent& descent) const;
 
  private:
+  // After the moves of the round.
+  double evaluate(const std::vector<Vec3>& positions, std::vector<Vec3>& gradient) const;
+
   struct Oblique {
     Pull pull;
     Vec3 direction;
@@ -111,19 +119,19 @@ class FitFunctional {
   std::span<const Metric> metric_;  // per vertex; empty: none
   FitSetting setting_;
   Executor& executor_;
-  double price_ = 0;                // of a triangle's strain
-  double mean_square_ = 0;          // of distances
-  double per_square_ = 0;           // price of a sample's square distance, per weight
-  double squares_ = 0;              // of the start of the round, weighted
-  std::vector<double> area_;        // per triangle: asked for
-  std::vector<MetricRoot> root_;    // per triangle; empty: no metric
-  std::vector<Share> share_;        // per triangle
-  std::vector<Vec3> from_;          // per vertex: at the start of the round
-  std::vector<Vec3> plane_;         // per vertex: normal of the plane it stays in; zero: none
-  std::vector<double> boost_;       // per triangle
-  std::vector<double> resistance_;  // per vertex, to a move
-  std::vector<double> preconditioner_;
-  mutable std::vector<Slope> slope_;  // per triangle; scratch
+  double price_ = 0;                    // of a triangle's strain
+  double mean_square_ = 0;              // of distances
+  double per_square_ = 0;               // price of a sample's square distance, per weight
+  double squares_ = 0;                  // of the start of the round, weighted
+  std::vector<double> area_;            // per triangle: asked for
+  std::vector<MetricRoot> root_;        // per triangle; empty: no metric
+  std::vector<Share> share_;            // per triangle
+  std::vector<Vec3> from_;              // per vertex: at the start of the round
+  std::vector<Vec3> plane_;             // per vertex: normal of the plane it stays in; zero: none
+  std::vector<double> boost_;           // per triangle
+  std::vector<double> resistance_;      // per vertex, to a move
+  std::vector<double> preconditioner_;  // per vertex: the inverse of what it resists a move with
+  mutable std::vector<Slope> slope_;    // per triangle; scratch
 };
 
 }  // namespace geolloyd

@@ -16,7 +16,7 @@ double sum_of_dots(const std::vector<Vec3>& x, const std::vector<Vec3>& y) {
 
 class Lbfgs {
  public:
-  Lbfgs(const PointsFunction& function, const DescentOptions& options, std::vector<Vec3>& x)
+  Lbfgs(const PointsFunction& function, const PointDescent& options, std::vector<Vec3>& x)
       : function_(function), options_(options), x_(x), gradient_(x.size()) {}
 
   void run() {
@@ -109,7 +109,7 @@ class Lbfgs {
   }
 
   const PointsFunction& function_;
-  const DescentOptions& options_;
+  const PointDescent& options_;
   std::vector<Vec3>& x_;
   std::vector<Vec3> gradient_;
   double value_ = 0;
@@ -118,7 +118,7 @@ class Lbfgs {
 
 }  // namespace
 
-void descend(const PointsFunction& function, const DescentOptions& options, std::vector<Vec3>& x) {
+void descend(const PointsFunction& function, const PointDescent& options, std::vector<Vec3>& x) {
   Lbfgs(function, options, x).run();
 }
 

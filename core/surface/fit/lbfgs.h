@@ -11,7 +11,7 @@ namespace geolloyd {
 /// A function of many points, and its gradient there.
 using PointsFunction = std::function<double(const std::vector<Vec3>&, std::vector<Vec3>&)>;
 
-struct DescentOptions {
+struct PointDescent {
   std::span<const double> preconditioner;  ///< per point: the inverse of how stiff it is
   double longest_step = 0;                 ///< of a point in an iteration
   int iterations = 0;
@@ -20,6 +20,6 @@ struct DescentOptions {
 
 /// Moves points downhill by L-BFGS (Liu and Nocedal 1989) with backtracking. Sums are made in the
 /// order of points.
-void descend(const PointsFunction& function, const DescentOptions& options, std::vector<Vec3>& x);
+void descend(const PointsFunction& function, const PointDescent& options, std::vector<Vec3>& x);
 
 }  // namespace geolloyd

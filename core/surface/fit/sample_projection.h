@@ -28,6 +28,7 @@ class SampleProjection {
 
   /// Where to begin the search for the triangle of each sample, instead of at its vertex.
   void begin_at(std::vector<TriangleId> triangles) { triangle_ = std::move(triangles); }
+  void begin_at(std::size_t sample, TriangleId triangle) { triangle_[sample] = triangle; }
   /// Onto the remesh as it now is. Searches begin where the last ones ended.
   FitError project();
 

@@ -10,7 +10,6 @@
 #include "core/surface/fit/asked_areas.h"
 #include "core/surface/fit/fit_functional.h"
 #include "core/surface/fit/fit_guards.h"
-#include "core/surface/fit/lbfgs.h"
 #include "core/surface/fit/sample_projection.h"
 
 namespace geolloyd {
@@ -41,6 +40,7 @@ class Fitter {
   FitResult run() {
     FitResult result;
     result.before = projection_.project();
+    first_triangle_.assign(projection_.triangles().begin(), projection_.triangles().end());
     result.negligible = 1e-3 * functional_.setting().side;
     const FitError allowed = {
         std::max(result.before.mean_square, result.negligible * result.negligible),
@@ -54,12 +54,25 @@ class Fitter {
     for (std::size_t v = 0; v < remesh_.vertex_count(); ++v) {
       result.moved += remesh_.positions[v] != remesh_.start[v] ? 1 : 0;
     }
+    result.far_at = largest_at_vertices();
     return result;
   }
 
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return remesh_.move_of(v); }
 
  private:
+  [[nodiscard]] std::vector<double> largest_at_vertices() const {
+    std::vector<double> largest(remesh_.vertex_count(), 0);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const TriangleId t = projection_.triangles()[i];
+      if (t == no_id) continue;
+      for (const VertexId v : remesh_.triangles[t]) {
+        largest[v] = std::max(largest[v], projection_.distance(i));
+      }
+    }
+    return largest;
+  }
+
   // From the start, where samples are projected. `price` of strain.
   FitError fit(double price, double largest_allowed) {
     functional_.set_price(price / static_cast<double>(boost_.size()));
@@ -72,6 +85,7 @@ class Fitter {
   // Where a round ends higher than it began, as feet are elsewhere then, it is taken back, and the
   // next one moves more reluctantly.
   void descend_in_rounds() {
+    constexpr FitDescent descent = {0.15, 12};
     constexpr int rounds = 8;
     constexpr int most_taken_back = 4;
     constexpr double highest = 1.0005;
@@ -82,7 +96,7 @@ class Fitter {
       update_boost();
       functional_.set_boost(boost_, reluctance);
       const double value = functional_.value();
-      move();
+      remesh_.positions = functional_.descend(descent);
       begin_round();
       if (functional_.value() <= highest * value) {
         reluctance = std::max(least_reluctance, reluctance / 2);
@@ -94,19 +108,6 @@ class Fitter {
       reluctance *= 8;
       if (++taken_back > most_taken_back) return;
     }
-  }
-
-  void move() {
-    constexpr double longest_step = 0.15;
-    constexpr int iterations = 12;
-    const PointsFunction function = [&](const std::vector<Vec3>& x, std::vector<Vec3>& gradient) {
-      return functional_.evaluate(x, gradient);
-    };
-    std::vector<Vec3> x = remesh_.positions;
-    descend(function,
-            {functional_.preconditioner(), longest_step * functional_.setting().side, iterations},
-            x);
-    remesh_.positions = std::move(x);
   }
 
   // Small angles count more from round to round.
@@ -136,13 +137,14 @@ class Fitter {
   }
 
   // Bad vertices go back to where they were at first, until none is bad: those that guards name,
-  // and corners of triangles with samples farther than any was.
+  // and those about samples farther than any was. A sample whose first triangle is back is looked
+  // for there: it is no farther than it was then.
   FitError put_back(double largest) {
     while (true) {
       const FitError error = projection_.project();
       std::vector<std::uint8_t> goes_back = guards_.bad_vertices();
       mark_far(largest, goes_back);
-      bool any = false;
+      bool any = begin_at_first(largest);
       for (std::size_t v = 0; v < goes_back.size(); ++v) {
         if (goes_back[v] == 0 || remesh_.positions[v] == remesh_.start[v]) continue;
         remesh_.positions[v] = remesh_.start[v];
@@ -156,9 +158,29 @@ class Fitter {
     const std::span<const TriangleId> triangle = projection_.triangles();
     for (std::size_t i = 0; i < triangle.size(); ++i) {
       if (triangle[i] == no_id || projection_.distance(i) <= largest) continue;
-      for (const VertexId v : remesh_.triangles[triangle[i]]) marked[v] = 1;
+      for (const TriangleId t : {triangle[i], first_triangle_[i]}) {
+        for (const VertexId v : remesh_.triangles[t]) marked[v] = 1;
+      }
       marked[samples_[i].near] = 1;
     }
+  }
+
+  // Far samples whose first triangle is as it was. Whether there are any.
+  bool begin_at_first(double largest) {
+    bool any = false;
+    for (std::size_t i = 0; i < first_triangle_.size(); ++i) {
+      const TriangleId first = first_triangle_[i];
+      if (first == no_id || projection_.triangles()[i] == first) continue;
+      if (projection_.distance(i) <= largest) continue;
+      const Triangle& corners = remesh_.triangles[first];
+      const bool is_back = std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
+        return remesh_.positions[v] == remesh_.start[v];
+      });
+      if (!is_back) continue;
+      projection_.begin_at(i, first);
+      any = true;
+    }
+    return any;
   }
 
   std::size_t held_;
@@ -168,7 +190,8 @@ class Fitter {
   SampleProjection projection_;
   FitFunctional functional_;
   FitGuards guards_;
-  std::vector<double> boost_;  // per triangle
+  std::vector<double> boost_;               // per triangle
+  std::vector<TriangleId> first_triangle_;  // per sample: of the start
 };
 
 }  // namespace
@@ -178,7 +201,7 @@ FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> la
                          Executor& executor) {
   if (remesh.triangles.empty()) return {};
   Fitter fitter(input, labels, held, metric, remesh, executor);
-  const FitResult result = fitter.run();
+  FitResult result = fitter.run();
   for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
     const Vec3 move = fitter.move_of(v);
     if (dot(move, move) > 0) remesh.positions[v] += move / input.frame.scale;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/surface/substrate/surface_input.h"
 
@@ -16,8 +17,9 @@ struct FitError {
 struct FitResult {
   FitError before;
   FitError after;
-  double negligible = 0;  ///< a distance: a thousandth of a triangle's side
-  std::size_t moved = 0;  ///< vertices
+  double negligible = 0;       ///< a distance: a thousandth of a triangle's side
+  std::size_t moved = 0;       ///< vertices
+  std::vector<double> far_at;  ///< per vertex: the largest distance at its triangles, after
 };
 
 /// Moves vertices of a remesh off the surface, and along it, so that the remesh is closer to the

@@ -24,6 +24,7 @@ class Trial {
     std::vector<VertexId> ends;
     for (const auto& edge : path) ends.insert(ends.end(), edge.begin(), edge.end());
     region_ = patch_.region_about(ends, rings);
+    if (is_barred()) return {};
     PatchFit before(remesh_, patch_, region_);
     const int irregularity = patch_.irregularity(region_);
     const std::size_t irregular_before = patch_.count_irregular(region_);
@@ -46,6 +47,11 @@ class Trial {
   static constexpr int rounds = 3;
   static constexpr int iterations = 10;
 
+  [[nodiscard]] bool is_barred() const {
+    return std::any_of(region_.vertices.begin(), region_.vertices.end(),
+                       [&](VertexId v) { return remesh_.barred[patch_.vertex(v)] != 0; });
+  }
+
   static void relax(PatchFit& fit, int rounds_more) {
     for (int round = 0; round < rounds_more; ++round) fit.relax(iterations);
   }
@@ -58,8 +64,9 @@ class Trial {
     constexpr double near_enough = 1.0 / 16;  // of a side
     constexpr double highest = 0.15;          // of a side
     const double near = near_enough * remesh_.fit.side;
+    const double here = before.largest_square_distance();
     const double allowed =
-        std::max(farther * farther * before.largest_square_distance(), near * near);
+        std::max({std::min(farther * farther * here, remesh_.largest_square), here, near * near});
     return after.distances() <= before.distances() + more &&
            after.largest_square_distance() <= allowed &&
            after.largest_rise() <= highest * remesh_.fit.side;

@@ -100,9 +100,10 @@ class Glider {
 
 std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
-                            Mesh& remesh, Executor& executor) {
+                            std::span<const std::uint8_t> barred, Mesh& remesh,
+                            Executor& executor) {
   if (remesh.triangles.empty()) return 0;
-  Glider glider(GlidingRemesh(input, labels, held, kept, remesh, executor), executor);
+  Glider glider(GlidingRemesh(input, labels, held, kept, barred, remesh, executor), executor);
   const std::size_t glides = glider.run();
   if (glides == 0) return 0;
   remesh.triangles = glider.remesh().triangles.triangles();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "core/surface/substrate/surface_input.h"
@@ -10,14 +11,15 @@ namespace geolloyd {
 
 /// Makes a fitted remesh more regular: irregular vertices glide by flips of edges until they meet
 /// others and both are gone (glide_paths.h), wherever that pays (glide_trial.h). The first `held`
-/// vertices stay, and so do edges of `kept` (each ascending; ascending) and the topology. `labels`
-/// tell the vertex of the remesh that each vertex of `input.fine` belongs to. Returns how many
-/// paths were taken.
+/// vertices stay, and so do edges of `kept` (each ascending; ascending) and the topology. Nothing
+/// changes about vertices that are `barred` (per vertex, not 0). `labels` tell the vertex of the
+/// remesh that each vertex of `input.fine` belongs to. Returns how many paths were taken.
 ///
 /// The result is that of one vertex after the other, on any number of threads. Some are tried at
 /// once; one is tried anew where an earlier one has changed what it saw.
 std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
-                            Mesh& remesh, Executor& executor = sequential());
+                            std::span<const std::uint8_t> barred, Mesh& remesh,
+                            Executor& executor = sequential());
 
 }  // namespace geolloyd

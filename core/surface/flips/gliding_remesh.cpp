@@ -16,9 +16,11 @@ constexpr double price_of_mean_strain = 0.0065;  // as that of a fit
 
 GlidingRemesh::GlidingRemesh(const SurfaceInput& input, std::span<const RegionId> labels,
                              std::size_t held, std::span<const std::array<VertexId, 2>> kept_edges,
-                             const Mesh& remesh, Executor& executor)
+                             std::span<const std::uint8_t> barred_vertices, const Mesh& remesh,
+                             Executor& executor)
     : samples(input.fine, labels, remesh.vertex_count(), samples_per_vertex),
       kept(kept_edges),
+      barred(barred_vertices),
       triangles(remesh.vertex_count(), remesh.triangles),
       on_triangle(remesh.triangle_count()),
       price(price_of_mean_strain / static_cast<double>(remesh.triangle_count())) {
@@ -35,6 +37,7 @@ GlidingRemesh::GlidingRemesh(const SurfaceInput& input, std::span<const RegionId
   }
   fit = {held, held, asked.side, std::move(asked.at_vertex),
          FitSetting::Whole{weight, error.mean_square}};
+  largest_square = error.largest * error.largest;
   positions = std::move(moving.positions);
 }
 

@@ -19,21 +19,24 @@ struct PlacedSample {
 };
 
 /// A remesh in the unit frame while its edges are flipped. The first `held` vertices are on curves
-/// and do not move; edges of `kept` (each ascending; ascending) are not flipped.
+/// and do not move; edges of `kept` (each ascending; ascending) are not flipped, and nothing
+/// changes about vertices that are `barred`.
 struct GlidingRemesh {
   GlidingRemesh(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
-                std::span<const std::array<VertexId, 2>> kept, const Mesh& remesh,
-                Executor& executor);
+                std::span<const std::array<VertexId, 2>> kept, std::span<const std::uint8_t> barred,
+                const Mesh& remesh, Executor& executor);
 
   [[nodiscard]] bool is_kept(VertexId a, VertexId b) const;
 
   SurfaceSamples samples;
   std::span<const std::array<VertexId, 2>> kept;
+  std::span<const std::uint8_t> barred;  ///< per vertex: not 0 where it is
   FlippableTriangles triangles;
   std::vector<Vec3> positions;
   std::vector<std::vector<PlacedSample>> on_triangle;  ///< per triangle: the samples nearest to it
   FitSetting fit;
-  double price = 0;  ///< of a triangle's strain
+  double price = 0;           ///< of a triangle's strain
+  double largest_square = 0;  ///< of a sample's distance, before any glide
 };
 
 }  // namespace geolloyd

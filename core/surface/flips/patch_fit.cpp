@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "core/mesh/mesh_quality.h"
-#include "core/surface/fit/lbfgs.h"
 
 namespace geolloyd {
 
@@ -65,18 +64,8 @@ PatchFit::PatchFit(const GlidingRemesh& whole, const GlidePatch& patch,
 
 void PatchFit::relax(int iterations) {
   constexpr double reluctance = 0.02;
-  constexpr double longest_step = 0.3;
-  constexpr double least_gain = 1e-4;
   functional_.set_boost(std::vector<double>(remesh_.triangle_count(), 1), reluctance);
-  const PointsFunction function = [&](const std::vector<Vec3>& x, std::vector<Vec3>& gradient) {
-    return functional_.evaluate(x, gradient);
-  };
-  std::vector<Vec3> x = remesh_.positions;
-  descend(
-      function,
-      {functional_.preconditioner(), longest_step * part_.whole.fit.side, iterations, least_gain},
-      x);
-  remesh_.positions = std::move(x);
+  remesh_.positions = functional_.descend({0.3, iterations, 1e-4});
   projection_.project();
   functional_.begin_round();
 }

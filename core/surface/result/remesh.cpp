@@ -166,26 +166,37 @@ class Remesher {
                           remesh, executor_);
   }
 
-  // After the glides the fit is made anew. All stays as it was where the mean distance grows, or
-  // where the farthest point is farther than before any fit.
+  // After the glides the fit is made anew. Where a point is much farther than all were before any
+  // fit, it is tried again without those about it. All stays as it was if the mean distance grows.
   void glide(std::span<const std::array<VertexId, 2>> on_curves, Remesh& result,
              FitResult& fitted) const {
-    constexpr double farther = 1.05;  // times
-    constexpr double close = 4;       // times what is negligible: the root, on mechanical parts
-    Mesh gliding = result.mesh;
-    const std::size_t glides =
-        glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves, on_curves,
-                        gliding, executor_);
-    if (glides == 0) return;
-    const FitResult anew = fit({}, gliding);
+    constexpr double farther = 1.05;    // times: in the mean
+    constexpr double farthest = 1.125;  // times: the farthest point
+    constexpr double close = 4;         // times what is negligible: the root, on mechanical parts
+    constexpr int attempts = 2;
     const double root =
-        std::max(farther * std::sqrt(fitted.after.mean_square), close * anew.negligible);
-    const double largest = std::max(farther * fitted.before.largest, anew.negligible);
-    if (anew.after.mean_square > root * root || anew.after.largest > largest) return;
-    result.mesh = std::move(gliding);
-    result.glides = glides;
-    fitted.after = anew.after;
-    fitted.moved = std::max(fitted.moved, anew.moved);
+        std::max(farther * std::sqrt(fitted.after.mean_square), close * fitted.negligible);
+    const double largest = std::max(farthest * fitted.before.largest, fitted.negligible);
+    std::vector<std::uint8_t> barred(result.mesh.vertex_count(), 0);
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      Mesh gliding = result.mesh;
+      const std::size_t glides =
+          glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
+                          on_curves, barred, gliding, executor_);
+      if (glides == 0) return;
+      const FitResult anew = fit({}, gliding);
+      if (anew.after.largest <= largest) {
+        if (anew.after.mean_square > root * root) return;
+        result.mesh = std::move(gliding);
+        result.glides = glides;
+        fitted.after = anew.after;
+        fitted.moved = std::max(fitted.moved, anew.moved);
+        return;
+      }
+      for (std::size_t v = 0; v < barred.size(); ++v) {
+        if (anew.far_at[v] > largest) barred[v] = 1;
+      }
+    }
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {
