@@ -60,7 +60,7 @@ class SmallFeatureFinder {
     Floors floors;
     const bool has_room = lower(floors, &Floors::loops) && lower(floors, &Floors::walls);
     SmallFeatures found = at(floors);
-    found.is_limited = !has_room;
+    found.is_limited = !has_room && binds(floors);
     if (!(found.share > 0)) found.sizes = {};
     return found;
   }
@@ -87,14 +87,26 @@ class SmallFeatureFinder {
     return false;
   }
 
+  // Whether some edges are much longer than they were to be: a loop that was to have nine has less
+  // than six.
+  [[nodiscard]] bool binds(const Floors& floors) const {
+    constexpr double much = sites_on_loop / 6;
+    const double unit = factor_at(floors) * spacing_;
+    return much * *std::min_element(at_loop_.begin(), at_loop_.end()) < floors.loops * unit ||
+           much * *std::min_element(at_wall_.begin(), at_wall_.end()) < floors.walls * unit;
+  }
+
   [[nodiscard]] bool has_small(const std::vector<double>& lengths) const {
     return std::any_of(lengths.begin(), lengths.end(), [&](double x) { return x < spacing_; });
   }
 
   // With more sites in small places all are further apart.
+  [[nodiscard]] double factor_at(const Floors& floors) const {
+    return std::sqrt(sites(sizes(floors, 1)) / even_);
+  }
+
   [[nodiscard]] SmallFeatures at(const Floors& floors) const {
-    const double factor = std::sqrt(sites(sizes(floors, 1)) / even_);
-    const SizesAtSome shorter = sizes(floors, factor);
+    const SizesAtSome shorter = sizes(floors, factor_at(floors));
     SmallFeatures found;
     found.share = 1 - even_ / sites(shorter);
     found.sizes = shorter.sizes;

@@ -13,7 +13,9 @@ struct SmallFeatures {
   std::vector<double> sizes;  ///< per vertex of the surface, in spacings, with those that it has;
                               ///< empty: nothing is small
   double share = 0;           ///< of all vertices: those that the small sizes take
-  bool is_limited = false;    ///< smaller ones would have taken too many vertices
+  /// Some edges are more than half as long again as they were to be, as the lengths asked for would
+  /// have taken too many vertices.
+  bool is_limited = false;
 };
 
 /// Loops of features shorter than this are too small for sites of their own. Spacings.
