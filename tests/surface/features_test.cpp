@@ -284,7 +284,7 @@ Mesh folded_plane(double turn_of_strip) {
   return mesh;
 }
 
-// So do scans fold, and knives have edges: there both sides are flat.
+// The edge of a knife has two flat sides. A fold of a scan has a curved one.
 TEST(Features, OfAFoldAreBetweenFlatSides) {
   const Mesh knife = folded_plane(0);
   EXPECT_NEAR(length_of(knife, find_features(knife, find_edges(knife), {}, 0.5)), 6, 1e-9);

@@ -236,7 +236,7 @@ TEST(Glides, MakeALatticeRegularAgain) {
             find_topology(mesh, find_edges(mesh)).parts);
 }
 
-// About a vertex that is barred all stays; elsewhere nothing does.
+// The flip beside the barred vertex stays; the other one is gone.
 TEST(Glides, KeepClearOfWhatIsBarred) {
   constexpr VertexId barred = 5 * 20 + 5;
   const Mesh mesh =

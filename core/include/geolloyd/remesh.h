@@ -161,7 +161,8 @@ struct Remesh {
   std::size_t vertices_cut = 0;         ///< of the input: where it is no manifold
   double small_feature_share = 0;       ///< of the vertices: those that shorter edges at small
                                         ///< features took
-  bool small_features_limited = false;  ///< these would have taken more than they may
+  bool small_features_limited = false;  ///< these would have taken more than they may, and some
+                                        ///< edges are half as long again as they need
   std::size_t small_parts = 0;  ///< of the input: smaller than a triangle of the remesh; none are
                                 ///< counted where edge lengths vary
   bool was_cut_short = false;   ///< edges of the input were not halved any more at the limit

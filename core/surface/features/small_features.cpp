@@ -87,8 +87,8 @@ class SmallFeatureFinder {
     return false;
   }
 
-  // Whether some edges are much longer than they were to be: a loop that was to have nine has less
-  // than six.
+  // Whether some edges are much longer than they were to be: a loop that was to have nine has
+  // fewer than six.
   [[nodiscard]] bool binds(const Floors& floors) const {
     constexpr double much = sites_on_loop / 6;
     const double unit = factor_at(floors) * spacing_;
