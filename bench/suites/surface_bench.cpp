@@ -263,7 +263,7 @@ Repaired repair_at_rest(const RestedSurface& start, RestingSites resting, std::s
   options.vertex_count = sites;
   SiteRelaxer relaxer(start.input(), options, runtime);
   DualisedSites dualised =
-      repair_dual(start.surface(), std::move(resting), relaxer, runtime.executor());
+      repair_dual(start.surface(), std::move(resting), 4 * sites, relaxer, runtime.executor());
   return {std::move(dualised), relaxer.fingerprint()};
 }
 

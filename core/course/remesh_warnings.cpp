@@ -167,6 +167,12 @@ class Judge {
   }
 
   void judge_features() {
+    if (remesh_.creases_left_out) {
+      warn(RemeshFlaw::features,
+           "sharp edges lie so close that they would take several times the vertices asked for, so "
+           "none are kept: more vertices would keep them");
+      return;
+    }
     const bool is_asked = options_.features.creases == Creases::automatic;
     const double length = signs_.sharp_length / spacing();
     const bool is_long = signs_.sharp_length > least_sharp_share * std::sqrt(signs_.area) &&

@@ -107,6 +107,11 @@ TEST_F(RemeshWarnings, TellOfSharpEdgesThatAreNotKept) {
   expect({});
 }
 
+TEST_F(RemeshWarnings, TellOfSharpEdgesThatLieTooClose) {
+  remesh_.creases_left_out = true;
+  expect({RemeshFlaw::features});
+}
+
 TEST_F(RemeshWarnings, TellOfSmallParts) {
   remesh_.small_parts = 1;
   expect({RemeshFlaw::small_parts});

@@ -105,6 +105,17 @@ TEST(RemeshOfNeedles, OfATwistedPairIsBounded) {
   EXPECT_TRUE(remesh.has_input_topology());
 }
 
+// There the creases of the strands would take ten times the vertices that were asked for.
+TEST(RemeshOfNeedles, LeavesOutCreasesThatTakeMostVertices) {
+  const Mesh mesh = hard_mesh("twin_needles.obj");
+  if (mesh.triangles.empty()) GTEST_SKIP() << "no twin_needles.obj";
+  const Remesh remesh = remesh_of(mesh, 2000, all_threads());
+  EXPECT_TRUE(remesh.creases_left_out);
+  EXPECT_TRUE(remesh.feature_edges.empty());
+  EXPECT_LT(remesh.mesh.vertex_count(), 16'000U);
+  EXPECT_TRUE(remesh.has_input_topology());
+}
+
 // The n-th question of a remesh is answered with "stop", for each n: from there on it may ask a few
 // times only, and has a result.
 TEST(RemeshOfNeedles, HearsAnInterruptInEachStage) {
@@ -158,6 +169,21 @@ TEST(RemeshWithASlit, HasNoTriangleWithoutArea) {
         Case{20, 14, 16}, Case{40, 10, 100}, Case{40, 10, 150}, Case{40, 14, 50}}) {
     SCOPED_TRACE(std::to_string(cells) + " cells, slit of " + std::to_string(length));
     expect_area_everywhere(plane_with_slit(cells, length), vertices);
+  }
+}
+
+// Three sites for its boundary, evenly spread, may all be on the longest edge.
+TEST(RemeshOfALooseTriangle, HasNoTriangleWithoutArea) {
+  for (const double height : {0.01, 0.1, 0.3}) {
+    Mesh mesh = icosphere(2000);
+    const auto first = static_cast<VertexId>(mesh.vertex_count());
+    for (const Vec3& p : {Vec3(3, 0, 0), Vec3(3.04, 0, 0), Vec3(3.03, 0.04 * height, 0)}) {
+      mesh.positions.push_back(p);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const Remesh remesh = remesh_of(mesh, 100, all_threads());
+    EXPECT_TRUE(remesh.has_input_topology()) << height;
+    EXPECT_GT(flattest_of(remesh.mesh), 0.005 * height) << height;
   }
 }
 

@@ -137,6 +137,29 @@ TEST(SurfaceFit, LeavesNoPointFarther) {
   }
 }
 
+TEST(SurfaceFit, StopsWhenItIsTold) {
+  const Mesh mesh = creature(3000, 1);
+  const SurfaceInput input = surface_input_of(mesh, 0.1);
+  const Mesh start = remesh_of(mesh, 100, false).mesh;
+  std::vector<RegionId> labels;
+  for (const Vec3& p : input.fine.positions) {
+    labels.push_back(nearest_vertex(start, input.frame.to_mesh(p)));
+  }
+  std::size_t all = 0;
+  Mesh moving = start;
+  fit_to_surface(input, labels, 0, {}, moving, sequential(), [&] { return ++all > 0; });
+  EXPECT_GT(all, 30U);
+  for (std::size_t stop = 1; stop < all; stop += all / 8) {
+    std::size_t asked = 0;
+    Mesh stopped = start;
+    const FitResult result =
+        fit_to_surface(input, labels, 0, {}, stopped, sequential(), [&] { return ++asked < stop; });
+    EXPECT_LE(asked, stop + 3) << stop;
+    EXPECT_LE(result.after.mean_square, result.before.mean_square) << stop;
+    EXPECT_EQ(stopped.triangles, start.triangles);
+  }
+}
+
 // Of meshes of others that were hardly fitted, as one sample of many was far.
 TEST(SurfaceFit, KeepsTheVolumeOfHardMeshes) {
   constexpr double most = 0.02;

@@ -96,8 +96,8 @@ struct RemeshOptions {
   FeatureOptions features;
   bool fit =
       true;  ///< move vertices off the surface in the end, where that brings the remesh closer
-  /// Called by the calling thread now and then. False ends the moving of sites: the remesh is then
-  /// made from where they are.
+  /// Called by the calling thread now and then. False ends the moving of sites, the fit and the
+  /// glides: the remesh is then made from what there is.
   std::function<bool(const RemeshProgress&)> progress;
 };
 
@@ -138,6 +138,8 @@ struct Remesh {
   std::vector<SurfacePoint> places;  ///< per vertex: the point of the input it stands for
   std::size_t curve_vertices = 0;    ///< the first vertices: on boundary and features
   std::vector<std::array<VertexId, 2>> feature_edges;  ///< edges along features; ascending
+  bool creases_left_out = false;  ///< with them there would be several times as many vertices as
+                                  ///< asked for
   std::size_t subresolution_holes =
       0;  ///< loops too short for vertices of their own: a triangle is missing
   std::size_t vertices_asked_for = 0;  ///< or what the edge length makes of it

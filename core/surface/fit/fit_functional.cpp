@@ -192,7 +192,7 @@ std::vector<Vec3> FitFunctional::descend(const FitDescent& descent) const {
   std::vector<Vec3> x = remesh_.positions;
   geolloyd::descend(function,
                     {preconditioner_, descent.longest_step * setting_.side, descent.iterations,
-                     descent.least_gain},
+                     descent.least_gain, descent.keep_going},
                     x);
   return x;
 }

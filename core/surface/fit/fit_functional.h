@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +47,9 @@ struct FitSetting {
 struct FitDescent {
   double longest_step = 0;  ///< of a vertex in an iteration, in sides of a triangle
   int iterations = 0;
-  double least_gain = 1e-6;  ///< PointDescent's
+  // As in PointDescent:
+  double least_gain = 1e-6;
+  std::function<bool()> keep_going = {};
 };
 
 /// The joint functional of a fit: square distances from samples of the surface to the remesh over

@@ -29,6 +29,7 @@ class Lbfgs {
         continue;
       }
       if (before - value_ < options_.least_gain * std::abs(value_)) return;
+      if (options_.keep_going && !options_.keep_going()) return;
     }
   }
 

@@ -16,6 +16,7 @@ struct PointDescent {
   double longest_step = 0;                 ///< of a point in an iteration
   int iterations = 0;
   double least_gain = 1e-6;  ///< of an iteration, over the function: else it is the last
+  std::function<bool()> keep_going = {};  ///< asked after each iteration, if there is one
 };
 
 /// Moves points downhill by L-BFGS (Liu and Nocedal 1989) with backtracking. Sums are made in the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,7 +26,8 @@ FitSetting setting_of(const MovingRemesh& remesh, bool is_graded, std::size_t he
 class Fitter {
  public:
   Fitter(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
-         std::span<const Metric> metric, const Mesh& remesh, Executor& executor)
+         std::span<const Metric> metric, const Mesh& remesh, Executor& executor,
+         const std::function<bool()>& keep_going)
       : held_(held),
         metric_(metric),
         samples_(input.fine, labels, remesh.vertex_count(), samples_per_vertex),
@@ -34,6 +36,7 @@ class Fitter {
         functional_(remesh_, samples_, projection_, metric,
                     setting_of(remesh_, !input.fine.inverse_sizing.empty(), held), executor),
         guards_(remesh_, metric, functional_.setting().side),
+        keep_going_(keep_going),
         boost_(remesh.triangle_count()) {}
 
   // Where closer and more regular do not go together, closer counts more.
@@ -50,6 +53,7 @@ class Fitter {
       if (result.after.mean_square < allowed.mean_square) break;
       remesh_.positions = remesh_.start;
       result.after = projection_.project();
+      if (!goes_on()) break;
     }
     for (std::size_t v = 0; v < remesh_.vertex_count(); ++v) {
       result.moved += remesh_.positions[v] != remesh_.start[v] ? 1 : 0;
@@ -61,6 +65,8 @@ class Fitter {
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return remesh_.move_of(v); }
 
  private:
+  [[nodiscard]] bool goes_on() const { return !keep_going_ || keep_going_(); }
+
   [[nodiscard]] std::vector<double> largest_at_vertices() const {
     std::vector<double> largest(remesh_.vertex_count(), 0);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -85,13 +91,13 @@ class Fitter {
   // Where a round ends higher than it began, as feet are elsewhere then, it is taken back, and the
   // next one moves more reluctantly.
   void descend_in_rounds() {
-    constexpr FitDescent descent = {0.15, 12};
+    const FitDescent descent = {.longest_step = 0.15, .iterations = 12, .keep_going = keep_going_};
     constexpr int rounds = 8;
     constexpr int most_taken_back = 4;
     constexpr double highest = 1.0005;
     constexpr double least_reluctance = 0.02;
     double reluctance = least_reluctance;
-    for (int round = 0, taken_back = 0; round < rounds;) {
+    for (int round = 0, taken_back = 0; round < rounds && goes_on();) {
       const std::vector<Vec3> before = remesh_.positions;
       update_boost();
       functional_.set_boost(boost_, reluctance);
@@ -190,6 +196,7 @@ class Fitter {
   SampleProjection projection_;
   FitFunctional functional_;
   FitGuards guards_;
+  const std::function<bool()>& keep_going_;
   std::vector<double> boost_;               // per triangle
   std::vector<TriangleId> first_triangle_;  // per sample: of the start
 };
@@ -198,9 +205,9 @@ class Fitter {
 
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
-                         Executor& executor) {
+                         Executor& executor, const std::function<bool()>& keep_going) {
   if (remesh.triangles.empty()) return {};
-  Fitter fitter(input, labels, held, metric, remesh, executor);
+  Fitter fitter(input, labels, held, metric, remesh, executor, keep_going);
   FitResult result = fitter.run();
   for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
     const Vec3 move = fitter.move_of(v);

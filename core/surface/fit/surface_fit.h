@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,10 @@ struct FitResult {
 /// there stay where they were, and the others move. If the mean of square distances would grow,
 /// distances count eight times as much; if it still would, nothing moves. Negligible distances may
 /// grow, though, as where all is plane. Strain and angles are those in `metric`, of each vertex of
-/// the remesh, if there is one.
+/// the remesh, if there is one. Where `keep_going` says no, what has been reached is the result.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
-                         Executor& executor = sequential());
+                         Executor& executor = sequential(),
+                         const std::function<bool()>& keep_going = {});
 
 }  // namespace geolloyd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,8 +17,11 @@ constexpr std::size_t reach = 9;  // rings: of a path, and what is fitted about 
 
 class Glider {
  public:
-  Glider(GlidingRemesh remesh, Executor& executor)
-      : remesh_(std::move(remesh)), executor_(executor), changed_(remesh_.positions.size(), 0) {}
+  Glider(GlidingRemesh remesh, Executor& executor, const std::function<bool()>& keep_going)
+      : remesh_(std::move(remesh)),
+        executor_(executor),
+        keep_going_(keep_going),
+        changed_(remesh_.positions.size(), 0) {}
 
   // A batch is tried at once; it is small where patches would overlap.
   std::size_t run() {
@@ -38,6 +42,7 @@ class Glider {
       }
       for (const VertexId v : touched_) changed_[v] = 0;
       touched_.clear();
+      if (keep_going_ && !keep_going_()) break;
     }
     return glides;
   }
@@ -92,6 +97,7 @@ class Glider {
 
   GlidingRemesh remesh_;
   Executor& executor_;
+  const std::function<bool()>& keep_going_;
   std::vector<std::uint8_t> changed_;  // per vertex: in this batch
   std::vector<VertexId> touched_;
 };
@@ -100,10 +106,11 @@ class Glider {
 
 std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
-                            std::span<const std::uint8_t> barred, Mesh& remesh,
-                            Executor& executor) {
+                            std::span<const std::uint8_t> barred, Mesh& remesh, Executor& executor,
+                            const std::function<bool()>& keep_going) {
   if (remesh.triangles.empty()) return 0;
-  Glider glider(GlidingRemesh(input, labels, held, kept, barred, remesh, executor), executor);
+  Glider glider(GlidingRemesh(input, labels, held, kept, barred, remesh, executor), executor,
+                keep_going);
   const std::size_t glides = glider.run();
   if (glides == 0) return 0;
   remesh.triangles = glider.remesh().triangles.triangles();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "core/surface/substrate/surface_input.h"
@@ -16,10 +17,12 @@ namespace geolloyd {
 /// remesh that each vertex of `input.fine` belongs to. Returns how many paths were taken.
 ///
 /// The result is that of one vertex after the other, on any number of threads. Some are tried at
-/// once; one is tried anew where an earlier one has changed what it saw.
+/// once; one is tried anew where an earlier one has changed what it saw. Where `keep_going` says
+/// no, none are tried any more.
 std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
                             std::span<const std::uint8_t> barred, Mesh& remesh,
-                            Executor& executor = sequential());
+                            Executor& executor = sequential(),
+                            const std::function<bool()>& keep_going = {});
 
 }  // namespace geolloyd

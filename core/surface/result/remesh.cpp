@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -76,11 +77,14 @@ class Remesher {
         shape_(surface.shape),
         options_(options),
         relaxer_(input_, options, runtime),
-        executor_(runtime.executor()) {}
+        executor_(runtime.executor()),
+        keep_going_([this] { return relaxer_.ask(dualised_.state.sites); }) {}
 
-  // Where there is no room for all sub-resolution holes among triangles of an ordinary size, they
-  // get vertices.
-  Remesh run() {
+  // None where it may give up, and needs several times as many vertices as there are to be. Where
+  // there is no room for all sub-resolution holes among triangles of an ordinary size, they get
+  // vertices.
+  std::optional<Remesh> run(bool may_give_up) {
+    constexpr std::size_t few = 1000;
     const bool has_count = options_.vertex_count > 0;
     const double spacing = has_count ? spacing_of(input_.fine.whole_sized_area,
                                                   static_cast<double>(options_.vertex_count))
@@ -91,7 +95,10 @@ class Remesher {
       count_ = has_count ? options_.vertex_count : budgeter.at_spacing(spacing).total();
       spacing_ = has_count ? budgeter.of_size(count_).spacing : spacing;
       RestingSites resting = rest_sites(*surface_, count_, relaxer_, {}, executor_);
-      dualised_ = repair_dual(*surface_, std::move(resting), relaxer_, executor_);
+      const std::size_t most_sites =
+          may_give_up ? 2 * count_ + few : std::numeric_limits<std::size_t>::max();
+      dualised_ = repair_dual(*surface_, std::move(resting), most_sites, relaxer_, executor_);
+      if (dualised_.state.sites.size() > most_sites && !relaxer_.is_interrupted()) return {};
       if (open_subresolution_holes(*surface_, dualised_.state.sites, dualised_.dual.triangles))
         break;
     }
@@ -106,7 +113,6 @@ class Remesher {
     result.vertices_asked_for = count_;
     result.curve_vertices = sites.on_curves;
     result.subresolution_holes = surface_->curves.subresolution_holes.size();
-    result.interrupted = relaxer_.is_interrupted();
     result.steps = relaxer_.steps();
     result.places = place_sites(mesh_, input_, sites.positions, dualised_.state.labels, executor_);
     place_corners(mesh_, input_, surface_->curves.corners, result.places);
@@ -120,11 +126,12 @@ class Remesher {
     if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_curves, shape);
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
-    if (options_.fit && result.is_manifold()) {
+    if (options_.fit && result.is_manifold() && !relaxer_.is_interrupted()) {
       fit_and_glide(shape, on_curves, result);
       place_fitted(mesh_, input_, result.mesh.positions, dualised_.state.labels,
                    surface_->curves.vertices, sites.on_curves, result.places, executor_);
     }
+    result.interrupted = relaxer_.is_interrupted();
     find_edge_lengths(result);
     result.surface_parts = parts_of(input_, surface_->curves);
     result.vertices_cut = input_.vertices_cut;
@@ -152,7 +159,9 @@ class Remesher {
   void fit_and_glide(std::span<const Metric> shape,
                      std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) const {
     FitResult fitted = fit(shape, result.mesh);
-    if (shape.empty()) glide(on_curves, result, fitted);
+    // Where most vertices are because the topology needs them, there is no lattice to glide in.
+    const bool is_lattice = result.mesh.vertex_count() <= 2 * count_;
+    if (shape.empty() && is_lattice) glide(on_curves, result, fitted);
     const auto distance = [&](const FitError& error) {
       return std::sqrt(error.mean_square) / input_.frame.scale;
     };
@@ -163,7 +172,7 @@ class Remesher {
 
   [[nodiscard]] FitResult fit(std::span<const Metric> shape, Mesh& remesh) const {
     return fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
-                          remesh, executor_);
+                          remesh, executor_, keep_going_);
   }
 
   // After the glides the fit is made anew. Where a point is much farther than all were before any
@@ -182,9 +191,10 @@ class Remesher {
       Mesh gliding = result.mesh;
       const std::size_t glides =
           glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
-                          on_curves, barred, gliding, executor_);
+                          on_curves, barred, gliding, executor_, keep_going_);
       if (glides == 0) return;
       const FitResult anew = fit({}, gliding);
+      if (relaxer_.is_interrupted()) return;
       if (anew.after.largest <= largest) {
         if (anew.after.mean_square > root * root) return;
         result.mesh = std::move(gliding);
@@ -249,6 +259,7 @@ class Remesher {
   const RemeshOptions& options_;
   SiteRelaxer relaxer_;
   Executor& executor_;
+  std::function<bool()> keep_going_;
   std::optional<DividedSurface> surface_;
   std::size_t count_ = 0;
   double spacing_ = 0;  // unit frame
@@ -271,30 +282,36 @@ class SurfaceSizer {
 
   SizedSurface run() {
     shape_ = shapes_of(options_.field);
-    Sizing sizing = find_sizing(mesh_, edges_, options_, executor_);
-    const std::size_t count = count_at(sizing.spacing);
-    features_ = find_features(mesh_, edges_, options_.features, sizing.spacing, executor_);
+    sizing_ = find_sizing(mesh_, edges_, options_, executor_);
+    features_ = find_features(options_.features);
+    if (has_creases_to_choose()) {
+      FeatureOptions without_creases = options_.features;
+      without_creases.creases = Creases::none;
+      other_features_ = find_features(without_creases);
+    }
     if (!(options_.sizing.adapt > 0)) release_edges();
-    SurfaceInput input = make_input(sizing, count);
+    SurfaceInput input = make_input();
     if (options_.sizing.adapt > 0) {
-      const double spacing = sizing.spacing * input.frame.scale;
+      const double spacing = sizing_.spacing * input.frame.scale;
       const std::vector<double> lengths = lengths_of_curvatures(
           relative_curvatures(mesh_, input, spacing, executor_), options_.sizing.adapt);
       input = {};
-      sizing = find_sizing(mesh_, edges_, lengths, options_, executor_);
+      sizing_ = find_sizing(mesh_, edges_, lengths, options_, executor_);
       release_edges();
-      input = make_input(sizing, count_at(sizing.spacing));
+      input = make_input();
     }
-    SmallFeatures small;
-    if (options_.features.small) {
-      small =
-          find_small_features(input, sizing.spacing * input.frame.scale, growth_at_small_features);
-    }
-    if (!small.sizes.empty()) {
-      input = with_sizes(std::move(input), std::move(small.sizes),
-                         input_options(sizing, count_at(sizing.spacing)), executor_);
-    }
-    return {std::move(input), std::move(small), std::move(sizing), std::move(shape_)};
+    return sized(std::move(input));
+  }
+
+  /// Whether creases were looked for, and found.
+  [[nodiscard]] bool has_chosen_creases() const {
+    return has_creases_to_choose() && features_ != other_features_;
+  }
+
+  /// After run(): the same without creases.
+  SizedSurface run_without_creases() {
+    features_ = std::move(other_features_);
+    return sized(make_input());
   }
 
  private:
@@ -306,16 +323,38 @@ class SurfaceSizer {
     return options_.vertex_count > 0 ? options_.vertex_count : expected_sites(area_, spacing);
   }
 
-  [[nodiscard]] SurfaceInput make_input(const Sizing& sizing, std::size_t count) const {
-    return make_surface_input(mesh_, input_options(sizing, count), executor_);
+  [[nodiscard]] bool has_creases_to_choose() const {
+    return options_.features.creases == Creases::automatic;
   }
 
-  [[nodiscard]] SurfaceInputOptions input_options(const Sizing& sizing, std::size_t count) const {
+  [[nodiscard]] std::vector<TrianglePair> find_features(const FeatureOptions& features) const {
+    return geolloyd::find_features(mesh_, edges_, features, sizing_.spacing, executor_);
+  }
+
+  [[nodiscard]] SurfaceInput make_input() const {
+    return make_surface_input(mesh_, input_options(), executor_);
+  }
+
+  // With sizes for what is small.
+  [[nodiscard]] SizedSurface sized(SurfaceInput input) const {
+    SmallFeatures small;
+    if (options_.features.small) {
+      small =
+          find_small_features(input, sizing_.spacing * input.frame.scale, growth_at_small_features);
+    }
+    if (!small.sizes.empty()) {
+      input = with_sizes(std::move(input), std::move(small.sizes), input_options(), executor_);
+    }
+    return {std::move(input), std::move(small), sizing_, shape_};
+  }
+
+  [[nodiscard]] SurfaceInputOptions input_options() const {
+    const std::size_t count = count_at(sizing_.spacing);
     SurfaceInputOptions input;
     input.duplicates = edges_.duplicates;
     input.longest_edge =
         features_.empty() ? longest_edge(area_, count) : longest_edge_at_features(area_, count);
-    input.sizes = sizing.sizes;
+    input.sizes = sizing_.sizes;
     input.metric = shape_;
     input.vertex_limit = vertex_limit_of_remesh(mesh_, count);
     input.most_pieces = most_pieces_of_remesh(mesh_, count);
@@ -330,7 +369,9 @@ class SurfaceSizer {
   const std::function<void()>& release_edges_;
   Executor& executor_;
   double area_ = 0;
+  Sizing sizing_;
   std::vector<TrianglePair> features_;
+  std::vector<TrianglePair> other_features_;  // without creases that were found
   std::vector<Metric> shape_;
 };
 
@@ -376,9 +417,18 @@ bool Remesh::has_input_topology() const {
 Remesh make_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
                    Runtime& runtime, const std::function<void()>& release_edges) {
   check_options(mesh, options);
-  const SizedSurface surface =
-      SurfaceSizer(mesh, edges, options, release_edges, runtime.executor()).run();
-  return Remesher(mesh, surface, options, runtime).run();
+  SurfaceSizer sizer(mesh, edges, options, release_edges, runtime.executor());
+  {
+    const SizedSurface surface = sizer.run();
+    const bool may_give_up = sizer.has_chosen_creases();
+    if (auto remesh = Remesher(mesh, surface, options, runtime).run(may_give_up)) {
+      return *std::move(remesh);
+    }
+  }
+  const SizedSurface surface = sizer.run_without_creases();
+  Remesh remesh = Remesher(mesh, surface, options, runtime).run(false).value();
+  remesh.creases_left_out = true;
+  return remesh;
 }
 
 }  // namespace geolloyd

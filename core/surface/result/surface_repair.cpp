@@ -17,17 +17,19 @@ constexpr std::size_t first_iterations = 10;
 constexpr std::size_t more_iterations = 5;
 constexpr std::size_t most_rounds = 200;  // of insertions; some dozens are enough for needles
 constexpr std::size_t rounds_after_interrupt = 4;
+constexpr double least_flatness = 1e-6;  // of a triangle with an area: height over longest edge
 
 enum class Inserted { free, fixed };
 
 class SurfaceRepair {
  public:
-  SurfaceRepair(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
-                Executor& executor)
+  SurfaceRepair(const DividedSurface& surface, RestingSites resting, std::size_t most_sites,
+                SiteRelaxer& relaxer, Executor& executor)
       : input_(surface.input),
         curves_(surface.curves),
         budget_(std::move(resting.budget)),
         wanted_(budget_.total()),
+        most_sites_(most_sites),
         level_(fine_level(surface)),
         relaxer_(relaxer),
         executor_(executor) {
@@ -42,6 +44,7 @@ class SurfaceRepair {
       dualise();
     }
     insert_until_none();
+    if (is_at_limit()) return std::move(result_);
     if (!has_violations() && result_.state.sites.size() > wanted_) try_without_surplus();
     if (!has_violations()) try_without_holding();
     give_triangles_area();
@@ -97,13 +100,15 @@ class SurfaceRepair {
     result_.cells.remove(is_removed);
   }
 
+  [[nodiscard]] bool is_at_limit() const { return result_.state.sites.size() > most_sites_; }
   [[nodiscard]] bool has_violations() const { return any_removable(result_.dual.violations); }
 
   // A site that is inserted at another's place loses its cell again. Where no round brings any
   // more, there are other places to try.
   void insert_until_none() {
     constexpr int most_in_vain = 3;
-    for (int in_vain = 0; has_violations() && in_vain < most_in_vain && goes_on();) {
+    for (int in_vain = 0;
+         has_violations() && !is_at_limit() && in_vain < most_in_vain && goes_on();) {
       const std::ptrdiff_t before = fixed_sites();  // others make room for them
       if (!(in_vain == 0 && insert(Inserted::fixed)) && !insert_in_regions()) return;
       relaxer_.relax(level_, result_.state, 0);
@@ -127,9 +132,8 @@ class SurfaceRepair {
   bool insert_in_regions() {
     const SurfaceSites& sites = result_.state.sites;
     const std::vector<FarthestVertex> beside = farthest_free_vertices();
-    const std::vector<std::uint8_t> none(level_.is_on_curve.size(), 0);
     const std::vector<FarthestVertex> anywhere =
-        farthest_vertices(*level_.mesh, sites.positions, none, result_.state.labels);
+        farthest_vertices(*level_.mesh, sites.positions, vertices_of_sites(), result_.state.labels);
     std::vector<RegionId> regions = regions_of_violations();
     sort_and_deduplicate(regions);
     std::vector<VertexId> places;
@@ -142,8 +146,23 @@ class SurfaceRepair {
     return sites.size() > before;
   }
   [[nodiscard]] std::vector<FarthestVertex> farthest_free_vertices() const {
-    return farthest_vertices(*level_.mesh, result_.state.sites.positions, level_.is_on_curve,
+    std::vector<std::uint8_t> is_left_out = vertices_of_sites();
+    for (std::size_t v = 0; v < is_left_out.size(); ++v) is_left_out[v] |= level_.is_on_curve[v];
+    return farthest_vertices(*level_.mesh, result_.state.sites.positions, is_left_out,
                              result_.state.labels);
+  }
+  // Where a site is, whosever the cell is there: a second one at its place would have none.
+  [[nodiscard]] std::vector<std::uint8_t> vertices_of_sites() const {
+    constexpr auto is_before = [](const Vec3& a, const Vec3& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    };
+    std::vector<Vec3> places = result_.state.sites.positions;
+    std::sort(places.begin(), places.end(), is_before);
+    std::vector<std::uint8_t> is_of_site;
+    for (const Vec3& p : level_.mesh->positions) {
+      is_of_site.push_back(std::binary_search(places.begin(), places.end(), p, is_before) ? 1 : 0);
+    }
+    return is_of_site;
   }
   // A site that stays there.
   void insert_at(VertexId v) {
@@ -183,6 +202,7 @@ class SurfaceRepair {
       if (has_area(t) || is_taken[t[0]] + is_taken[t[1]] + is_taken[t[2]] > 0) continue;
       VertexId place = place_between_twins(t);
       if (place == no_id) place = farthest_place(t, farthest);
+      if (place == no_id) place = farthest_from_line(t);
       if (place == no_id) continue;
       places.push_back(place);
       for (const RegionId r : t) is_taken[r] = 1;
@@ -196,6 +216,25 @@ class SurfaceRepair {
       return farthest[a].square_distance < farthest[b].square_distance;
     });
     return farthest[best].square_distance > 0 ? farthest[best].vertex : no_id;
+  }
+
+  // Of the curves in the cells of three sites in a line: the vertex farthest from that line.
+  [[nodiscard]] VertexId farthest_from_line(const Triangle& t) const {
+    const std::vector<Vec3>& p = result_.state.sites.positions;
+    VertexId best = no_id;
+    double largest = least_flatness;
+    for (const VertexId v : curves_.vertices) {
+      const RegionId r = result_.state.labels[v];
+      if (std::find(t.begin(), t.end(), r) == t.end()) continue;
+      const Vec3& place = input_.fine.positions[v];
+      const double flat =
+          std::max({flatness(p[t[0]], p[t[1]], place), flatness(p[t[1]], p[t[2]], place),
+                    flatness(p[t[2]], p[t[0]], place)});
+      if (!(flat > largest)) continue;
+      largest = flat;
+      best = v;
+    }
+    return best;
   }
 
   // Of two sites of a triangle that are at one place on a curve: the vertex of the curve where
@@ -232,9 +271,8 @@ class SurfaceRepair {
     return best;
   }
   [[nodiscard]] bool has_area(const Triangle& t) const {
-    constexpr double least = 1e-6;  // height over the longest edge
     const std::vector<Vec3>& p = result_.state.sites.positions;
-    return flatness(p[t[0]], p[t[1]], p[t[2]]) > least;
+    return flatness(p[t[0]], p[t[1]], p[t[2]]) > least_flatness;
   }
 
   // False where there is no place for any.
@@ -376,6 +414,7 @@ class SurfaceRepair {
   const FeatureCurves& curves_;
   SiteBudget budget_;
   std::size_t wanted_;
+  std::size_t most_sites_;
   LevelMesh level_;
   SiteRelaxer& relaxer_;
   Executor& executor_;
@@ -387,9 +426,9 @@ class SurfaceRepair {
 
 }  // namespace
 
-DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
-                          Executor& executor) {
-  return SurfaceRepair(surface, std::move(resting), relaxer, executor).run();
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
+                          std::size_t most_sites, SiteRelaxer& relaxer, Executor& executor) {
+  return SurfaceRepair(surface, std::move(resting), most_sites, relaxer, executor).run();
 }
 
 }  // namespace geolloyd

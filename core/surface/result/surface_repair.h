@@ -22,8 +22,10 @@ struct DualisedSites {
 /// for a site is on a curve that has no room, it goes beside the curve. Where a triangle of the
 /// dual has no area, as of three sites on a straight curve, a further site comes between. An
 /// interrupt ends the moving of sites, and their insertion after a few more rounds; a few hundred
-/// rounds end it in any case. Then `dual.violations` is not empty.
-DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting, SiteRelaxer& relaxer,
+/// rounds end it in any case, and so do more sites than `most_sites`. Then `dual.violations` is not
+/// empty.
+DualisedSites repair_dual(const DividedSurface& surface, RestingSites resting,
+                          std::size_t most_sites, SiteRelaxer& relaxer,
                           Executor& executor = sequential());
 
 }  // namespace geolloyd
