@@ -29,7 +29,7 @@ struct TimedRemesh {
   Remesh remesh;
   struct Seconds {
     double prepare = 0;   ///< until sites began to move
-    double move = 0;      ///< sites
+    double move = 0;      ///< sites; then the fit and the glides
     double assemble = 0;  ///< the mesh, once they had stopped
   } seconds;
 };

@@ -147,13 +147,14 @@ TEST(SurfaceFit, StopsWhenItIsTold) {
   }
   std::size_t all = 0;
   Mesh moving = start;
-  fit_to_surface(input, labels, 0, {}, moving, sequential(), [&] { return ++all > 0; });
+  fit_to_surface(input, labels, 0, {}, moving, sequential(),
+                 {.keep_going = [&] { return ++all > 0; }});
   EXPECT_GT(all, 30U);
   for (std::size_t stop = 1; stop < all; stop += all / 8) {
     std::size_t asked = 0;
     Mesh stopped = start;
-    const FitResult result =
-        fit_to_surface(input, labels, 0, {}, stopped, sequential(), [&] { return ++asked < stop; });
+    const FitResult result = fit_to_surface(input, labels, 0, {}, stopped, sequential(),
+                                            {.keep_going = [&] { return ++asked < stop; }});
     EXPECT_LE(asked, stop + 3) << stop;
     EXPECT_LE(result.after.mean_square, result.before.mean_square) << stop;
     EXPECT_EQ(stopped.triangles, start.triangles);

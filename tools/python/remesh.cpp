@@ -77,6 +77,7 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["curve_vertices"] = remesh.curve_vertices;
   report["feature_length"] = remesh.feature_length();
   report["subresolution_holes"] = remesh.subresolution_holes;
+  report["creases_left_out"] = remesh.creases_left_out;
   report["small_feature_share"] = remesh.small_feature_share;
   report["small_features_limited"] = remesh.small_features_limited;
   report["edges_flipped"] = remesh.edges_flipped;

@@ -209,6 +209,7 @@ Json remesh_part(const Remesh& remesh) {
           {"feature_edges", remesh.feature_edges.size()},
           {"feature_length", remesh.feature_length()},
           {"subresolution_holes", remesh.subresolution_holes},
+          {"creases_left_out", remesh.creases_left_out},
           {"small_feature_share", remesh.small_feature_share},
           {"small_features_limited", remesh.small_features_limited},
           {"edges_flipped", remesh.edges_flipped},

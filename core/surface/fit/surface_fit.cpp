@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,7 +15,11 @@
 namespace geolloyd {
 namespace {
 
-constexpr std::size_t samples_per_vertex = 16;
+// Fewer for each of many vertices, which have less of the shape between them.
+std::size_t samples_per_vertex(std::size_t vertices) {
+  constexpr std::size_t enough = 160'000;  // in all
+  return std::clamp<std::size_t>(enough / vertices, 8, 16);
+}
 
 FitSetting setting_of(const MovingRemesh& remesh, bool is_graded, std::size_t held) {
   AskedAreas asked = find_asked_areas(remesh, is_graded);
@@ -27,16 +30,17 @@ class Fitter {
  public:
   Fitter(const SurfaceInput& input, std::span<const RegionId> labels, std::size_t held,
          std::span<const Metric> metric, const Mesh& remesh, Executor& executor,
-         const std::function<bool()>& keep_going)
+         const FitEffort& effort)
       : held_(held),
         metric_(metric),
-        samples_(input.fine, labels, remesh.vertex_count(), samples_per_vertex),
+        samples_(input.fine, labels, remesh.vertex_count(),
+                 samples_per_vertex(remesh.vertex_count())),
         remesh_(input.frame, remesh, executor),
         projection_(samples_, remesh_, executor),
         functional_(remesh_, samples_, projection_, metric,
                     setting_of(remesh_, !input.fine.inverse_sizing.empty(), held), executor),
         guards_(remesh_, metric, functional_.setting().side),
-        keep_going_(keep_going),
+        effort_(effort),
         boost_(remesh.triangle_count()) {}
 
   // Where closer and more regular do not go together, closer counts more.
@@ -65,7 +69,7 @@ class Fitter {
   [[nodiscard]] Vec3 move_of(std::size_t v) const { return remesh_.move_of(v); }
 
  private:
-  [[nodiscard]] bool goes_on() const { return !keep_going_ || keep_going_(); }
+  [[nodiscard]] bool goes_on() const { return !effort_.keep_going || effort_.keep_going(); }
 
   [[nodiscard]] std::vector<double> largest_at_vertices() const {
     std::vector<double> largest(remesh_.vertex_count(), 0);
@@ -91,13 +95,13 @@ class Fitter {
   // Where a round ends higher than it began, as feet are elsewhere then, it is taken back, and the
   // next one moves more reluctantly.
   void descend_in_rounds() {
-    const FitDescent descent = {.longest_step = 0.15, .iterations = 12, .keep_going = keep_going_};
-    constexpr int rounds = 8;
+    const FitDescent descent = {
+        .longest_step = 0.15, .iterations = 12, .keep_going = effort_.keep_going};
     constexpr int most_taken_back = 4;
     constexpr double highest = 1.0005;
     constexpr double least_reluctance = 0.02;
     double reluctance = least_reluctance;
-    for (int round = 0, taken_back = 0; round < rounds && goes_on();) {
+    for (int round = 0, taken_back = 0; round < effort_.rounds && goes_on();) {
       const std::vector<Vec3> before = remesh_.positions;
       update_boost();
       functional_.set_boost(boost_, reluctance);
@@ -196,7 +200,7 @@ class Fitter {
   SampleProjection projection_;
   FitFunctional functional_;
   FitGuards guards_;
-  const std::function<bool()>& keep_going_;
+  const FitEffort& effort_;
   std::vector<double> boost_;               // per triangle
   std::vector<TriangleId> first_triangle_;  // per sample: of the start
 };
@@ -205,9 +209,9 @@ class Fitter {
 
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
-                         Executor& executor, const std::function<bool()>& keep_going) {
+                         Executor& executor, const FitEffort& effort) {
   if (remesh.triangles.empty()) return {};
-  Fitter fitter(input, labels, held, metric, remesh, executor, keep_going);
+  Fitter fitter(input, labels, held, metric, remesh, executor, effort);
   FitResult result = fitter.run();
   for (std::size_t v = 0; v < remesh.vertex_count(); ++v) {
     const Vec3 move = fitter.move_of(v);

@@ -23,6 +23,12 @@ struct FitResult {
   std::vector<double> far_at;  ///< per vertex: the largest distance at its triangles, after
 };
 
+struct FitEffort {
+  int rounds = 8;
+  /// Asked after each iteration, if there is one. After a no, what has been reached is the result.
+  std::function<bool()> keep_going = {};
+};
+
 /// Moves vertices of a remesh off the surface, and along it, so that the remesh is closer to the
 /// surface and its triangles are more regular: vertices on a curved surface leave all chords on one
 /// side of it. What is made least is fit_functional.h's sum of distances and strain. `labels` tell
@@ -34,10 +40,9 @@ struct FitResult {
 /// there stay where they were, and the others move. If the mean of square distances would grow,
 /// distances count eight times as much; if it still would, nothing moves. Negligible distances may
 /// grow, though, as where all is plane. Strain and angles are those in `metric`, of each vertex of
-/// the remesh, if there is one. Where `keep_going` says no, what has been reached is the result.
+/// the remesh, if there is one.
 FitResult fit_to_surface(const SurfaceInput& input, std::span<const RegionId> labels,
                          std::size_t held, std::span<const Metric> metric, Mesh& remesh,
-                         Executor& executor = sequential(),
-                         const std::function<bool()>& keep_going = {});
+                         Executor& executor = sequential(), const FitEffort& effort = {});
 
 }  // namespace geolloyd

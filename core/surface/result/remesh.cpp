@@ -94,7 +94,7 @@ class Remesher {
       const SiteBudgeter budgeter(*surface_);
       count_ = has_count ? options_.vertex_count : budgeter.at_spacing(spacing).total();
       spacing_ = has_count ? budgeter.of_size(count_).spacing : spacing;
-      RestingSites resting = rest_sites(*surface_, count_, relaxer_, {}, executor_);
+      RestingSites resting = rest_sites(*surface_, count_, relaxer_, effort(), executor_);
       const std::size_t most_sites =
           may_give_up ? 2 * count_ + few : std::numeric_limits<std::size_t>::max();
       dualised_ = repair_dual(*surface_, std::move(resting), most_sites, relaxer_, executor_);
@@ -106,6 +106,13 @@ class Remesher {
   }
 
  private:
+  // Glides and the fit mend what few iterations leave.
+  [[nodiscard]] RestEffort effort() const {
+    RestEffort effort;
+    if (options_.fit && shape_.empty()) effort.fewest_iterations = 15;
+    return effort;
+  }
+
   Remesh remesh() {
     relaxer_.release_engine();
     const SurfaceSites& sites = dualised_.state.sites;
@@ -158,10 +165,11 @@ class Remesher {
 
   void fit_and_glide(std::span<const Metric> shape,
                      std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) const {
-    FitResult fitted = fit(shape, result.mesh);
     // Where most vertices are because the topology needs them, there is no lattice to glide in.
     const bool is_lattice = result.mesh.vertex_count() <= 2 * count_;
-    if (shape.empty() && is_lattice) glide(on_curves, result, fitted);
+    const FitResult fitted = shape.empty() && is_lattice
+                                 ? glide(on_curves, result)
+                                 : fit(shape, {.keep_going = keep_going_}, result.mesh);
     const auto distance = [&](const FitError& error) {
       return std::sqrt(error.mean_square) / input_.frame.scale;
     };
@@ -170,43 +178,60 @@ class Remesher {
     result.distance_after_fit = distance(fitted.moved > 0 ? fitted.after : fitted.before);
   }
 
-  [[nodiscard]] FitResult fit(std::span<const Metric> shape, Mesh& remesh) const {
+  [[nodiscard]] FitResult fit(std::span<const Metric> shape, const FitEffort& effort,
+                              Mesh& remesh) const {
     return fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
-                          remesh, executor_, keep_going_);
+                          remesh, executor_, effort);
   }
 
-  // After the glides the fit is made anew. Where a point is much farther than all were before any
-  // fit, it is tried again without those about it. All stays as it was if the mean distance grows.
-  void glide(std::span<const std::array<VertexId, 2>> on_curves, Remesh& result,
-             FitResult& fitted) const {
+  // A fit, glides, and a fit anew. Of many vertices the first fit is short, which saves time and
+  // changes little, and the other one is made in any case. Where a point is much farther than all
+  // were before any fit, glides are tried again without those about it. There are none if the mean
+  // distance grows.
+  [[nodiscard]] FitResult glide(std::span<const std::array<VertexId, 2>> on_curves,
+                                Remesh& result) const {
     constexpr double farther = 1.05;    // times: in the mean
     constexpr double farthest = 1.125;  // times: the farthest point
     constexpr double close = 4;         // times what is negligible: the root, on mechanical parts
     constexpr int attempts = 2;
+    constexpr std::size_t many = 10'000;
+    constexpr int few_rounds = 3;
+    const FitEffort full = {.keep_going = keep_going_};
+    const bool is_short = result.mesh.vertex_count() >= many;
+    FitResult fitted = fit({}, is_short ? FitEffort{few_rounds, keep_going_} : full, result.mesh);
     const double root =
         std::max(farther * std::sqrt(fitted.after.mean_square), close * fitted.negligible);
     const double largest = std::max(farthest * fitted.before.largest, fitted.negligible);
+    const auto take = [&](Mesh mesh, std::size_t glides, const FitResult& anew) {
+      result.mesh = std::move(mesh);
+      result.glides = glides;
+      fitted.after = anew.after;
+      fitted.moved = std::max(fitted.moved, anew.moved);
+    };
     std::vector<std::uint8_t> barred(result.mesh.vertex_count(), 0);
     for (int attempt = 0; attempt < attempts; ++attempt) {
       Mesh gliding = result.mesh;
       const std::size_t glides =
           glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
                           on_curves, barred, gliding, executor_, keep_going_);
-      if (glides == 0) return;
-      const FitResult anew = fit({}, gliding);
-      if (relaxer_.is_interrupted()) return;
+      if (glides == 0) break;
+      const FitResult anew = fit({}, full, gliding);
+      if (relaxer_.is_interrupted()) return fitted;
       if (anew.after.largest <= largest) {
-        if (anew.after.mean_square > root * root) return;
-        result.mesh = std::move(gliding);
-        result.glides = glides;
-        fitted.after = anew.after;
-        fitted.moved = std::max(fitted.moved, anew.moved);
-        return;
+        if (anew.after.mean_square > root * root) break;
+        take(std::move(gliding), glides, anew);
+        return fitted;
       }
       for (std::size_t v = 0; v < barred.size(); ++v) {
         if (anew.far_at[v] > largest) barred[v] = 1;
       }
     }
+    if (is_short) {
+      Mesh mesh = result.mesh;
+      const FitResult anew = fit({}, full, mesh);
+      take(std::move(mesh), 0, anew);
+    }
+    return fitted;
   }
 
   [[nodiscard]] std::vector<std::array<VertexId, 2>> edges_on_curves() const {
