@@ -151,7 +151,8 @@ class SurfaceRepair {
     return farthest_vertices(*level_.mesh, result_.state.sites.positions, is_left_out,
                              result_.state.labels);
   }
-  // Where a site is, whosever the cell is there: a second one at its place would have none.
+  // Where a site is, whosever the cell is there: a second one at its place would have none. On
+  // curves it would: there several sheets of the surface may have a vertex each.
   [[nodiscard]] std::vector<std::uint8_t> vertices_of_sites() const {
     constexpr auto is_before = [](const Vec3& a, const Vec3& b) {
       return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
@@ -159,8 +160,10 @@ class SurfaceRepair {
     std::vector<Vec3> places = result_.state.sites.positions;
     std::sort(places.begin(), places.end(), is_before);
     std::vector<std::uint8_t> is_of_site;
-    for (const Vec3& p : level_.mesh->positions) {
-      is_of_site.push_back(std::binary_search(places.begin(), places.end(), p, is_before) ? 1 : 0);
+    for (std::size_t v = 0; v < level_.is_on_curve.size(); ++v) {
+      const bool is_place =
+          std::binary_search(places.begin(), places.end(), level_.mesh->positions[v], is_before);
+      is_of_site.push_back(is_place && level_.is_on_curve[v] == 0 ? 1 : 0);
     }
     return is_of_site;
   }
