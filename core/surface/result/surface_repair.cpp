@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t first_iterations = 10;
 constexpr std::size_t more_iterations = 5;
+constexpr std::size_t iterations_after_removal = 60;  // far fewer where few sites went
 constexpr std::size_t most_rounds = 200;  // of insertions; some dozens are enough for needles
 constexpr std::size_t rounds_after_interrupt = 4;
 constexpr double least_flatness = 1e-6;  // of a triangle with an area: height over longest edge
@@ -317,11 +318,13 @@ class SurfaceRepair {
     return regions;
   }
 
-  // As it was, if violations come back even where the sites hardly move.
+  // What is left moves until it is evenly spread. As it was, if violations come back even where the
+  // sites hardly move.
   void try_without_surplus() {
     for (int ring = 0; ring < 2; ++ring) hold_neighbours();
     const DualisedSites before = result_;
-    for (const std::size_t iterations : {more_iterations, std::size_t{1}}) {
+    for (const std::size_t iterations :
+         {iterations_after_removal, more_iterations, std::size_t{1}}) {
       make_room(0);
       if (result_.state.sites.size() == before.state.sites.size()) return;
       relaxer_.relax(level_, result_.state, iterations);
