@@ -1,6 +1,7 @@
 // What is seen of a mesh, and how it becomes a picture.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
+#include "tests/support/odd_surfaces.h"
 #include "tools/render/painters.h"
 #include "tools/render/panel.h"
 #include "tools/render/picture.h"
@@ -109,6 +111,26 @@ TEST(Scene, HitsASphereWhereItIs) {
       EXPECT_NEAR(hit.z, 1 + radius - std::sqrt(radius * radius - off * off), 0.5);
     }
   }
+}
+
+// Each face of a box has one light, up to its edges, however long its triangles are.
+TEST(Scene, KeepsSharpEdgesAndRoundsSoftOnes) {
+  Scheduler scheduler(2);
+  const auto lights = [&](const Mesh& mesh, Shading shading) {
+    const Outline outline = outline_of(mesh.positions, parse_view("25,15"));
+    return make_scene(mesh, fit_camera(outline, {60, 60}), shading, scheduler).light;
+  };
+  const auto largest_difference = [&](const Mesh& mesh) {
+    const std::vector<float> smooth = lights(mesh, Shading::smooth);
+    const std::vector<float> flat = lights(mesh, Shading::flat);
+    float largest = 0;
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+      largest = std::max(largest, std::abs(smooth[i] - flat[i]));
+    }
+    return largest;
+  };
+  EXPECT_LT(largest_difference(flat_box(0.1)), 1e-6);
+  EXPECT_GT(largest_difference(icosphere(80)), 0.05);
 }
 
 TEST(Draw, HidesWhatIsBehindTheSurface) {

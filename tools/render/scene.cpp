@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/loops.h"
+#include "core/mesh/mesh_edges.h"
 
 namespace geolloyd {
 namespace {
@@ -14,7 +18,7 @@ const Vec3 to_lamp = normalized(Vec3(-0.45, -0.7, -0.8));
 constexpr double ambient = 0.4;
 constexpr double from_eye = 0.3;
 constexpr double from_lamp = 0.42;
-constexpr double crease_cosine = 0.76;  // of an edge's angle from its vertices' normals, halved
+constexpr double crease_cosine = 0.76;  // of 40 degrees, between the normals at an edge
 
 constexpr int tile = 4;  // of samples, cast as one packet
 static_assert(tile * tile == static_cast<int>(RayCaster::packet));
@@ -60,44 +64,63 @@ void cast_all(Scene& scene, Executor& executor) {
   });
 }
 
-// Unit normals of triangles and of vertices, the latter weighted by area.
+// Unit normals of triangles, and of sets of corners that meet at a vertex and across edges that
+// turn little; the latter weighted by area.
 class Normals {
  public:
-  Normals(const Mesh& mesh, Shading shading, Executor& executor) : mesh_(mesh) {
+  Normals(const Mesh& mesh, Shading shading, Executor& executor) {
     of_triangle_.resize(mesh.triangle_count());
     parallel_for(executor, mesh.triangle_count(), small_items,
                  [&](std::size_t t) { of_triangle_[t] = normal_of(mesh, mesh.triangles[t]); });
-    if (shading == Shading::smooth) add_vertices();
-    for (std::vector<Vec3>* normals : {&of_triangle_, &of_vertex_}) {
+    if (shading == Shading::smooth) join_corners(mesh, executor);
+    for (std::vector<Vec3>* normals : {&of_triangle_, &of_set_}) {
       parallel_for(executor, normals->size(), small_items,
                    [&](std::size_t i) { (*normals)[i] = normalized((*normals)[i]); });
     }
   }
 
-  // At a corner where the surface bends too much, that of the triangle counts.
   [[nodiscard]] Vec3 at(const RayHit& hit) const {
-    const Vec3& flat = of_triangle_[hit.triangle];
-    if (of_vertex_.empty()) return flat;
+    if (of_set_.empty()) return of_triangle_[hit.triangle];
     const std::array<double, 3> weight = {1.0 - hit.u - hit.v, hit.u, hit.v};
     Vec3 sum(0, 0, 0);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vec3& smooth = of_vertex_[mesh_.triangles[hit.triangle][c]];
-      sum += weight[c] * (dot(smooth, flat) > crease_cosine ? smooth : flat);
-    }
+    for (std::size_t c = 0; c < 3; ++c) sum += weight[c] * of_set_[set_[3 * hit.triangle + c]];
     return normalized(sum);
   }
 
  private:
-  void add_vertices() {
-    of_vertex_.assign(mesh_.vertex_count(), Vec3::Zero());
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      for (const VertexId v : mesh_.triangles[t]) of_vertex_[v] += of_triangle_[t];
+  void join_corners(const Mesh& mesh, Executor& executor) {
+    const MeshEdges edges = find_edges(mesh, executor);
+    DisjointSets sets(3 * mesh.triangle_count(), executor);
+    parallel_for(executor, edges.size(), small_items, [&](std::size_t e) {
+      const std::span<const CornerId> corners = edges.corners(e);
+      if (corners.size() != 2 || is_crease(corners[0], corners[1])) return;
+      for (const VertexId v : edges.ends[e]) {
+        sets.unite(corner_at(mesh, corners[0], v), corner_at(mesh, corners[1], v));
+      }
+    });
+    set_.resize(3 * mesh.triangle_count());
+    for (CornerId c = 0; c < set_.size(); ++c) {
+      const CornerId root = sets.find(c);  // not above c
+      set_[c] = root < c ? set_[root] : static_cast<std::uint32_t>(of_set_.size());
+      if (root == c) of_set_.emplace_back(Vec3::Zero());
+      of_set_[set_[c]] += of_triangle_[triangle_of(c)];
     }
   }
 
-  const Mesh& mesh_;
+  [[nodiscard]] bool is_crease(CornerId one, CornerId other) const {
+    const Vec3& a = of_triangle_[triangle_of(one)];
+    const Vec3& b = of_triangle_[triangle_of(other)];
+    return !(dot(a, b) > crease_cosine * norm(a) * norm(b));
+  }
+
+  // Of the two ends of the edge opposite to `opposite`.
+  static CornerId corner_at(const Mesh& mesh, CornerId opposite, VertexId v) {
+    return edge_start(mesh, opposite) == v ? corner_at_start(opposite) : corner_at_end(opposite);
+  }
+
   std::vector<Vec3> of_triangle_;
-  std::vector<Vec3> of_vertex_;
+  std::vector<Vec3> of_set_;
+  std::vector<std::uint32_t> set_;  // per corner
 };
 
 // Both sides of the surface alike.
