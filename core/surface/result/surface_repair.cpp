@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t first_iterations = 10;
 constexpr std::size_t more_iterations = 5;
-constexpr std::size_t iterations_after_removal = 60;  // far fewer where few sites went
+constexpr std::size_t most_iterations = 60;
+constexpr std::size_t vertex_visits = 5'000'000;  // in more than a few iterations
 constexpr std::size_t most_rounds = 200;  // of insertions; some dozens are enough for needles
 constexpr std::size_t rounds_after_interrupt = 4;
 constexpr double least_flatness = 1e-6;  // of a triangle with an area: height over longest edge
@@ -323,8 +324,9 @@ class SurfaceRepair {
   void try_without_surplus() {
     for (int ring = 0; ring < 2; ++ring) hold_neighbours();
     const DualisedSites before = result_;
-    for (const std::size_t iterations :
-         {iterations_after_removal, more_iterations, std::size_t{1}}) {
+    const std::size_t many =
+        std::clamp(vertex_visits / level_.patch.size(), more_iterations, most_iterations);
+    for (const std::size_t iterations : {many, more_iterations, std::size_t{1}}) {
       make_room(0);
       if (result_.state.sites.size() == before.state.sites.size()) return;
       relaxer_.relax(level_, result_.state, iterations);
