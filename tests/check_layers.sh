@@ -15,7 +15,7 @@ core/mesh
 core/seams: cut_apart places stitching
 core/properties
 core/fields: cross_field curvature_field metric_mean tangent_field tangent_field_file tangent_plane
-core/repair: crossing_triangles repair
+core/repair: crossing_triangles crossings repair
 core/formats: corner_properties mesh_formats mesh_io mesh_readers mesh_writers vertex_list welder
 core/formats/gltf: base64
 core/formats/ply:

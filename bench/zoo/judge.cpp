@@ -6,9 +6,9 @@
 #include <ctime>
 #include <vector>
 
-#include "bench/zoo/crossings.h"
 #include "bench/zoo/kept_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/repair/crossings.h"
 #include "core/seams/stitching.h"
 #include "geolloyd/evaluation.h"
 #include "geolloyd/quality.h"
@@ -44,7 +44,7 @@ void judge_shape(const Mesh& mesh, const Truth& truth, const Remesh& remesh, Ver
     const auto& p = remesh.mesh.positions;
     verdict.flat += flatness(p[a], p[b], p[c]) > flat ? 0 : 1;
   }
-  verdict.crossings = count_crossings(remesh.mesh);
+  verdict.crossings = find_crossings(remesh.mesh).size();
   const MeshQuality found = quality(remesh.mesh);
   verdict.smallest_angle = found.smallest_angle;
   verdict.wanted_angle = std::min(20.0, 0.75 * truth.forced_angle);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/mesh/mesh_quality.h"
 #include "core/repair/crossing_triangles.h"
 
 namespace geolloyd {
@@ -16,15 +17,11 @@ GrowingBox box_of(const Corners& triangle) {
   return box;
 }
 
-Corners corners_in(const Mesh& mesh, TriangleId t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
 std::vector<TriangleId> triangles_in(const Mesh& mesh, const BoxTree& boxes) {
   std::vector<TriangleId> found;
   for (TriangleId t = 0; t < mesh.triangle_count(); ++t) {
-    if (boxes.any(box_of(corners_in(mesh, t)), [](std::uint32_t) { return true; })) {
+    if (boxes.any(box_of(corners_of(mesh, mesh.triangles[t])),
+                  [](std::uint32_t) { return true; })) {
       found.push_back(t);
     }
   }
@@ -34,7 +31,7 @@ std::vector<TriangleId> triangles_in(const Mesh& mesh, const BoxTree& boxes) {
 std::vector<GrowingBox> boxes_of(const Mesh& mesh, std::span<const TriangleId> triangles) {
   std::vector<GrowingBox> boxes;
   boxes.reserve(triangles.size());
-  for (const TriangleId t : triangles) boxes.push_back(box_of(corners_in(mesh, t)));
+  for (const TriangleId t : triangles) boxes.push_back(box_of(corners_of(mesh, mesh.triangles[t])));
   return boxes;
 }
 
@@ -50,12 +47,13 @@ HoleSurroundings::HoleSurroundings(const Mesh& mesh, const std::vector<GrowingBo
 bool HoleSurroundings::is_in_the_way_of(const Corners& triangle) const {
   const GrowingBox box = box_of(triangle);
   const auto crosses = [&](const Corners& other) { return do_cross(triangle, other); };
-  return surface_.any(box, [&](std::uint32_t i) { return crosses(corners_in(mesh_, near_[i])); }) ||
-         holes_.any(box, [&](std::uint32_t hole) {
-           return std::any_of(
-               filling_[hole].begin(), filling_[hole].end(),
-               [&](const Corners& other) { return overlap(box_of(other), box) && crosses(other); });
-         });
+  return surface_.any(box, [&](std::uint32_t i) {
+    return crosses(corners_of(mesh_, mesh_.triangles[near_[i]]));
+  }) || holes_.any(box, [&](std::uint32_t hole) {
+    return std::any_of(filling_[hole].begin(), filling_[hole].end(), [&](const Corners& other) {
+      return overlap(box_of(other), box) && crosses(other);
+    });
+  });
 }
 
 bool HoleSurroundings::is_in_the_way_of(std::span<const Corners> filling) const {

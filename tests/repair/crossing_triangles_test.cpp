@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <vector>
 
 #include "core/base/box_tree.h"
 #include "core/base/random.h"
+#include "core/mesh/mesh_quality.h"
+#include "core/repair/crossings.h"
 
 namespace geolloyd {
 namespace {
@@ -111,6 +114,35 @@ TEST(BoxTree, FindsAllBoxesThatOverlap) {
       EXPECT_EQ(found, expected);
     }
   }
+}
+
+TEST(Crossings, AreThoseOfAllPairs) {
+  Mesh soup;
+  for (std::uint32_t t = 0; t < 200; ++t) {
+    const Vec3 at(random_unit(3, 12 * t), random_unit(3, 12 * t + 1), random_unit(3, 12 * t + 2));
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::uint32_t i = 12 * t + 3 + 3 * c;
+      soup.positions.push_back(
+          at + 0.6 * Vec3(random_unit(3, i), random_unit(3, i + 1), random_unit(3, i + 2)));
+    }
+    soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  soup.triangles.push_back(soup.triangles.front());  // has vertices in common with the first
+  std::vector<TrianglePair> expected;
+  for (TriangleId b = 0; b < 200; ++b) {
+    for (TriangleId a = 0; a < b; ++a) {
+      const auto corners = [&](TriangleId t) { return corners_of(soup, soup.triangles[t]); };
+      if (do_cross(corners(a), corners(b))) expected.push_back({a, b});
+    }
+  }
+  for (TriangleId a = 1; a < 200; ++a) {
+    if (do_cross(corners_of(soup, soup.triangles[a]), corners_of(soup, soup.triangles[200]))) {
+      expected.push_back({a, 200});
+    }
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_GT(expected.size(), 100U);
+  EXPECT_EQ(find_crossings(soup), expected);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_measure.h"
+#include "core/repair/crossings.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/recipe.h"
 #include "core/surface/substrate/split_needles.h"
@@ -156,6 +157,28 @@ void expect_area_everywhere(const Mesh& mesh, std::size_t vertices) {
   EXPECT_TRUE(remesh.has_input_topology());
   EXPECT_EQ(walk_topology(remesh.mesh).flaw, "");
   EXPECT_GT(flattest_of(remesh.mesh), 1e-6);
+}
+
+TEST(Crossings, AreTheSameByAllThreads) {
+  Mesh mesh = icosphere(2000);
+  append(mesh, moved(mesh, {0.1, 0.2, 0.3}));
+  Scheduler three(3);
+  const std::vector<TrianglePair> crossings = find_crossings(mesh, three);
+  EXPECT_GT(crossings.size(), 100U);
+  EXPECT_EQ(crossings, find_crossings(mesh));
+}
+
+// The fit and the glides move vertices that share a thin wall.
+TEST(RemeshOfThinWalls, HasNoTrianglesThatCrossWhereThereWereNone) {
+  const Mesh mesh = hard_mesh("box_ADIS16480.stl");
+  if (mesh.triangles.empty()) GTEST_SKIP() << "no box_ADIS16480.stl";
+  RemeshOptions options;
+  options.vertex_count = 2000;
+  for (const bool fit : {false, true}) {
+    options.fit = fit;
+    const Remesh remesh = make_remesh(mesh, find_edges(mesh), options, all_threads());
+    EXPECT_TRUE(find_crossings(remesh.mesh).empty()) << fit;
+  }
 }
 
 // Sites on the two sides of a slit are in one place, and three of one side in a line.

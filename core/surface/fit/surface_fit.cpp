@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_quality.h"
+#include "core/repair/crossings.h"
 #include "core/surface/fit/asked_areas.h"
 #include "core/surface/fit/fit_functional.h"
 #include "core/surface/fit/fit_guards.h"
@@ -41,6 +42,7 @@ class Fitter {
                     setting_of(remesh_, !input.fine.inverse_sizing.empty(), held), executor),
         guards_(remesh_, metric, functional_.setting().side),
         effort_(effort),
+        executor_(executor),
         boost_(remesh.triangle_count()) {}
 
   // Where closer and more regular do not go together, closer counts more.
@@ -147,21 +149,38 @@ class Fitter {
   }
 
   // Bad vertices go back to where they were at first, until none is bad: those that guards name,
-  // and those about samples farther than any was. A sample whose first triangle is back is looked
-  // for there: it is no farther than it was then.
+  // those about samples farther than any was, and then those of triangles that pass through each
+  // other, if none did at first. A sample whose first triangle is back is looked for there: it is
+  // no farther than it was then.
   FitError put_back(double largest) {
     while (true) {
       const FitError error = projection_.project();
       std::vector<std::uint8_t> goes_back = guards_.bad_vertices();
       mark_far(largest, goes_back);
-      bool any = begin_at_first(largest);
-      for (std::size_t v = 0; v < goes_back.size(); ++v) {
-        if (goes_back[v] == 0 || remesh_.positions[v] == remesh_.start[v]) continue;
-        remesh_.positions[v] = remesh_.start[v];
-        any = true;
-      }
-      if (!any) return error;
+      const bool any = begin_at_first(largest);
+      if (put_back_those(goes_back) || any) continue;
+      mark_crossing(goes_back);
+      if (!put_back_those(goes_back)) return error;
     }
+  }
+
+  // Whether any had moved.
+  bool put_back_those(std::span<const std::uint8_t> goes_back) {
+    bool any = false;
+    for (std::size_t v = 0; v < goes_back.size(); ++v) {
+      if (goes_back[v] == 0 || remesh_.positions[v] == remesh_.start[v]) continue;
+      remesh_.positions[v] = remesh_.start[v];
+      any = true;
+    }
+    return any;
+  }
+
+  // Where triangles did so at first, the shape is lost, and distance decides.
+  void mark_crossing(std::vector<std::uint8_t>& marked) const {
+    const std::vector<TrianglePair> crossings = find_crossings(remesh_, executor_);
+    if (crossings.empty()) return;
+    if (!find_crossings({remesh_.start, remesh_.triangles}, executor_).empty()) return;
+    mark_corners(remesh_, crossings, marked);
   }
 
   void mark_far(double largest, std::vector<std::uint8_t>& marked) const {
@@ -201,6 +220,7 @@ class Fitter {
   FitFunctional functional_;
   FitGuards guards_;
   const FitEffort& effort_;
+  Executor& executor_;
   std::vector<double> boost_;               // per triangle
   std::vector<TriangleId> first_triangle_;  // per sample: of the start
 };

@@ -36,8 +36,9 @@ struct FitEffort {
 ///
 /// The first `held` vertices are fixed. Where a triangle would turn by more than 75 degrees, a
 /// vertex rise by three fifths of a side, an angle would be smaller than the smallest one was less
-/// 2 degrees, or a point of the surface would be farther than the farthest one was, the vertices
-/// there stay where they were, and the others move. If the mean of square distances would grow,
+/// 2 degrees, a point of the surface would be farther than the farthest one was, or triangles would
+/// pass through each other and none did, the vertices there stay where they were, and the others
+/// move. If the mean of square distances would grow,
 /// distances count eight times as much; if it still would, nothing moves. Negligible distances may
 /// grow, though, as where all is plane. Strain and angles are those in `metric`, of each vertex of
 /// the remesh, if there is one.

@@ -13,6 +13,7 @@
 #include "core/base/random.h"
 #include "core/mesh/mesh_measure.h"
 #include "core/mesh/mesh_topology.h"
+#include "core/repair/crossings.h"
 #include "core/surface/creases/creases.h"
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/features/patches.h"
@@ -186,8 +187,8 @@ class Remesher {
 
   // A fit, glides, and a fit anew. Of many vertices the first fit is short, which saves time and
   // changes little, and the other one is made in any case. Where a point is much farther than all
-  // were before any fit, glides are tried again without those about it. There are none if the mean
-  // distance grows.
+  // were before any fit, or triangles pass through each other and none did, glides are tried again
+  // without those about there. There are none if the mean distance grows.
   [[nodiscard]] FitResult glide(std::span<const std::array<VertexId, 2>> on_curves,
                                 Remesh& result) const {
     constexpr double farther = 1.05;    // times: in the mean
@@ -208,6 +209,7 @@ class Remesher {
       fitted.after = anew.after;
       fitted.moved = std::max(fitted.moved, anew.moved);
     };
+    const bool may_cross = !find_crossings(result.mesh, executor_).empty();
     std::vector<std::uint8_t> barred(result.mesh.vertex_count(), 0);
     for (int attempt = 0; attempt < attempts; ++attempt) {
       Mesh gliding = result.mesh;
@@ -217,7 +219,9 @@ class Remesher {
       if (glides == 0) break;
       const FitResult anew = fit({}, full, gliding);
       if (relaxer_.is_interrupted()) return fitted;
-      if (anew.after.largest <= largest) {
+      const auto crossing =
+          may_cross ? std::vector<TrianglePair>() : find_crossings(gliding, executor_);
+      if (anew.after.largest <= largest && crossing.empty()) {
         if (anew.after.mean_square > root * root) break;
         take(std::move(gliding), glides, anew);
         return fitted;
@@ -225,6 +229,7 @@ class Remesher {
       for (std::size_t v = 0; v < barred.size(); ++v) {
         if (anew.far_at[v] > largest) barred[v] = 1;
       }
+      mark_corners(gliding, crossing, barred);
     }
     if (is_short) {
       Mesh mesh = result.mesh;
