@@ -92,6 +92,18 @@ TEST(SmallFeatures, OfAThinWallAreFoundOnBothSides) {
   }
 }
 
+// It gets narrow without end, and opens to a spacing.
+TEST(SmallFeatures, AreNoneAtTheTipOfAWedge) {
+  for (const double degrees : {20.0, 30.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Mesh wedge = {{{0, 0, 0}, {1, 0, 0}, {std::cos(angle), std::sin(angle), 0}}, {{0, 1, 2}}};
+    const SurfaceInput input = surface_of(wedge, 0.05);
+    const double unit = 0.05 * input.frame.scale;
+    EXPECT_TRUE(find_small_features(input, unit, growth_at_small_features).sizes.empty())
+        << degrees;
+  }
+}
+
 // Sizes grow no faster than they may, are none above 1, and take no more vertices than they may.
 TEST(SmallFeatures, GrowAndAreLimited) {
   for (const double vertices : {100.0, 400.0, 1000.0}) {
