@@ -27,7 +27,7 @@ core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface
 core/surface/features: curve_sites degrees edge_network patches small_features
 core/surface/creases: creases edge_angles
 core/surface/sites: site_balance site_levels
-core/surface/fit: asked_areas fit_functional lbfgs sample_projection surface_fit surface_samples
+core/surface/fit: asked_areas curve_fit fit_functional lbfgs sample_projection surface_fit surface_samples
 core/surface/flips: edge_flips glides
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph

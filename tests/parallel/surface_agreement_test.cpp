@@ -23,6 +23,7 @@
 #include "tests/support/agreement.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/sanitizers.h"
+#include "tests/support/sharp_solids.h"
 #include "tests/support/surface.h"
 
 namespace geolloyd {
@@ -354,6 +355,13 @@ TEST(SurfaceStages, MakeTheSameAdaptedRemesh) {
   options.vertex_count = under_sanitizer ? 100 : 300;
   options.sizing.adapt = 1;
   expect_same_remesh(mesh, find_edges(mesh), options);
+}
+
+TEST(SurfaceStages, FitTheSameCurves) {
+  const Mesh plate = pierced_plate(0.4, 0.3, 64);
+  RemeshOptions options;
+  options.vertex_count = 150;
+  expect_same_remesh(plate, find_edges(plate), options);
 }
 
 }  // namespace

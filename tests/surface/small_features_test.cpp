@@ -49,12 +49,12 @@ SurfaceInput surface_of(const Mesh& mesh, double spacing) {
   return make_surface_input(mesh, options);
 }
 
-// Of the upper rim, by its height and radius.
+// Of a rim, by its height and radius: vertices of eight chords are outside by up to a twentieth.
 std::size_t vertices_on_rim(const Remesh& remesh, double radius, double height) {
   const auto is_there = [&](std::size_t v) {
     const Vec3& p = remesh.mesh.positions[v];
     return std::abs(p.z() - height) < 1e-9 &&
-           std::abs(std::hypot(p.x(), p.y()) / radius - 1) < 0.02;
+           std::abs(std::hypot(p.x(), p.y()) / radius - 1) < 0.06;
   };
   std::size_t count = 0;
   for (std::size_t v = 0; v < remesh.curve_vertices; ++v) count += is_there(v) ? 1 : 0;
@@ -89,6 +89,18 @@ TEST(SmallFeatures, OfAThinWallAreFoundOnBothSides) {
   ASSERT_EQ(found.sizes.size(), input.fine.vertex_count());
   for (const auto& edge : input.feature_edges) {
     for (const VertexId v : edge) EXPECT_LT(found.sizes[v], 1) << v;
+  }
+}
+
+// It gets narrow without end, and opens to a spacing.
+TEST(SmallFeatures, AreNoneAtTheTipOfAWedge) {
+  for (const double degrees : {20.0, 30.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Mesh wedge = {{{0, 0, 0}, {1, 0, 0}, {std::cos(angle), std::sin(angle), 0}}, {{0, 1, 2}}};
+    const SurfaceInput input = surface_of(wedge, 0.05);
+    const double unit = 0.05 * input.frame.scale;
+    EXPECT_TRUE(find_small_features(input, unit, growth_at_small_features).sizes.empty())
+        << degrees;
   }
 }
 

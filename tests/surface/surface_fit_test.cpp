@@ -14,7 +14,6 @@
 #include "geolloyd/remesh.h"
 #include "tests/support/odd_surfaces.h"
 #include "tests/support/shared_meshes.h"
-#include "tests/support/sharp_solids.h"
 #include "tests/support/surface.h"
 
 namespace geolloyd {
@@ -77,19 +76,6 @@ TEST(SurfaceFit, LeavesFlatFacesFlat) {
   double area = 0;
   for (const double a : triangle_areas(box.mesh, {})) area += a;
   EXPECT_NEAR(area, 6, 1e-9);
-}
-
-// Boundaries and features stay where they are.
-TEST(SurfaceFit, HoldsChains) {
-  for (const Mesh& mesh : {cylinder(500, 1), sharp_prism(50)}) {
-    const Remesh free = remesh_of(mesh, 150, false);
-    const Remesh fitted = remesh_of(mesh, 150, true);
-    ASSERT_EQ(free.curve_vertices, fitted.curve_vertices);
-    EXPECT_GT(fitted.curve_vertices, 0U);
-    for (std::size_t v = 0; v < free.curve_vertices; ++v) {
-      EXPECT_EQ(free.mesh.positions[v], fitted.mesh.positions[v]);
-    }
-  }
 }
 
 // Angles of 30 degrees are as good as larger ones where vertices get more regular by them.

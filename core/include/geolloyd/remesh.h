@@ -156,9 +156,10 @@ struct Remesh {
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
   std::size_t glides = 0;                   ///< paths of flips by which pairs of irregular vertices
                                             ///< met and were gone
-  std::size_t vertices_fitted = 0;          ///< moved off the surface
-  double distance_before_fit = 0;  ///< from points of the input to the remesh: root of the mean
-                                   ///< square, mesh units; 0 without a fit
+  std::size_t vertices_fitted = 0;          ///< moved off the surface, or off curves
+  double distance_before_fit = 0;  ///< from points of the input to the remesh, whose curves were
+                                   ///< fitted already: root of the mean square, mesh units; 0
+                                   ///< without a fit
   double distance_after_fit = 0;
   std::size_t vertices_cut = 0;         ///< of the input: where it is no manifold
   double small_feature_share = 0;       ///< of the vertices: those that shorter edges at small

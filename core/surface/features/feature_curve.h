@@ -8,7 +8,7 @@
 namespace geolloyd {
 
 /// A section of the boundary or of a feature between two corners, or a loop without corners. Sites
-/// on it are evenly spaced and fixed.
+/// on it are evenly spaced and fixed until they are fitted.
 struct FeatureCurve {
   std::vector<VertexId> vertices;  ///< from end to end; a loop ends where it begins
   std::vector<double> arc;         ///< per vertex: the length up to it, unit frame, counted by the

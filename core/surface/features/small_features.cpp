@@ -27,12 +27,16 @@ struct CurvePlace {
 struct Curve {
   std::array<VertexId, 2> ends = {no_id, no_id};  // of a loop: none
   double length = 0;
+  std::vector<VertexId> vertices;
+  std::vector<double> arc;  // per vertex
+  bool is_boundary = false;
 };
 
 class SmallFeatureFinder {
  public:
   SmallFeatureFinder(const SurfaceInput& input, double spacing, double growth)
-      : fine_(input.fine),
+      : input_(input),
+        fine_(input.fine),
         spacing_(spacing),
         slope_(growth - 1),
         place_(fine_.vertex_count()),
@@ -43,11 +47,8 @@ class SmallFeatureFinder {
     EdgeNetwork network(std::move(edges), input.fixed_vertices);
     for (const auto& path : network.take_paths()) add_curve(path, false);
     for (const auto& loop : network.take_loops()) {
-      const auto edge = ascending(loop[0], loop[1]);
-      const bool is_hole =
-          std::binary_search(input.boundary_edges.begin(), input.boundary_edges.end(), edge);
       add_curve(loop, true);
-      shorten_loop(loop, is_hole ? shortest_kept_hole : shortest_kept_loop);
+      shorten_loop(loop, is_boundary(loop) ? shortest_kept_hole : shortest_kept_loop);
     }
   }
 
@@ -117,6 +118,11 @@ class SmallFeatureFinder {
     return norm(fine_.positions[a] - fine_.positions[b]);
   }
 
+  [[nodiscard]] bool is_boundary(const std::vector<VertexId>& vertices) const {
+    return std::binary_search(input_.boundary_edges.begin(), input_.boundary_edges.end(),
+                              ascending(vertices[0], vertices[1]));
+  }
+
   void add_curve(const std::vector<VertexId>& vertices, bool is_loop) {
     const auto id = static_cast<std::uint32_t>(curves_.size());
     Curve curve;
@@ -124,6 +130,7 @@ class SmallFeatureFinder {
       if (i > 0) curve.length += way(vertices[i - 1], vertices[i]);
       const bool is_end = !is_loop && (i == 0 || i + 1 == vertices.size());
       if (!is_end) place_[vertices[i]] = {id, curve.length};
+      curve.arc.push_back(curve.length);
       sources_.push_back(vertices[i]);
     }
     if (is_loop) {
@@ -131,7 +138,9 @@ class SmallFeatureFinder {
     } else {
       curve.ends = {vertices.front(), vertices.back()};
     }
-    curves_.push_back(curve);
+    curve.vertices = vertices;
+    curve.is_boundary = is_boundary(vertices);
+    curves_.push_back(std::move(curve));
   }
 
   // The last curve that was added.
@@ -191,10 +200,40 @@ class SmallFeatureFinder {
         return end != no_id && (end == other.ends[0] || end == other.ends[1]);
       });
     }
-    constexpr double detour = 3;
+    const double detour = one.is_boundary ? 6 : 3;  // a boundary may be ragged
     const double along = std::abs(p.arc - q.arc);
     const bool is_loop = one.ends[0] == no_id;
-    return (is_loop ? std::min(along, one.length - along) : along) >= detour * between;
+    const bool is_around = is_loop && 2 * along > one.length;
+    const double way_along = is_around ? one.length - along : along;
+    const double from = is_around ? std::max(p.arc, q.arc) : std::min(p.arc, q.arc);
+    return way_along >= detour * between && !is_wedge(one, from, way_along, between);
+  }
+
+  // Whether a curve turns back between two places as the tip of a wedge does, which is closer
+  // further in and opens to a spacing further out.
+  [[nodiscard]] bool is_wedge(const Curve& curve, double from, double along, double apart) const {
+    constexpr double narrower = 0.75;
+    const auto width = [&](double length) {
+      const double start = from + (along - length) / 2;
+      return norm(point_at(curve, start) - point_at(curve, start + length));
+    };
+    const double opened = along * (spacing_ / apart);
+    const double before = from + (along - opened) / 2;
+    const bool is_loop = curve.ends[0] == no_id;
+    if (!is_loop && (before < 0 || before + opened > curve.length)) return false;
+    return opened < curve.length && width(along / 2) < narrower * apart &&
+           width(opened) > narrower * spacing_;
+  }
+
+  [[nodiscard]] Vec3 point_at(const Curve& curve, double arc) const {
+    arc = arc < 0 ? arc + curve.length : arc < curve.length ? arc : arc - curve.length;
+    const auto above = std::upper_bound(curve.arc.begin(), curve.arc.end(), arc);
+    const auto i = static_cast<std::size_t>(above - curve.arc.begin()) - 1;
+    const bool is_last = i + 1 == curve.arc.size();
+    const Vec3& from = fine_.positions[curve.vertices[i]];
+    const Vec3& to = fine_.positions[curve.vertices[is_last ? 0 : i + 1]];
+    const double length = (is_last ? curve.length : curve.arc[i + 1]) - curve.arc[i];
+    return length > 0 ? Vec3(from + (to - from) * ((arc - curve.arc[i]) / length)) : from;
   }
 
   void find_own_sizes() {
@@ -254,6 +293,7 @@ class SmallFeatureFinder {
     return fine_.area(t) * (inverse * inverse);
   }
 
+  const SurfaceInput& input_;
   const FineMesh& fine_;
   double spacing_;
   double slope_;

@@ -20,11 +20,14 @@ double turned_by_two_degrees(double cosine) {
 }  // namespace
 
 FitGuards::FitGuards(const MovingRemesh& remesh, std::span<const Metric> metric, double side)
-    : remesh_(remesh),
-      metric_(metric),
-      most_cosine_(std::min(turned_by_two_degrees(largest_cosine_of_all()), 1.0)),
-      highest_(0.6 * side),
-      normal_(normals_at_vertices(remesh)) {}
+    : remesh_(remesh), metric_(metric), highest_(0.6 * side), normal_(normals_at_vertices(remesh)) {
+  double largest = -1;
+  for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
+    first_cosine_.push_back(largest_cosine(t));
+    largest = std::max(largest, first_cosine_.back());
+  }
+  most_cosine_ = std::min(turned_by_two_degrees(largest), 1.0);
+}
 
 std::vector<std::uint8_t> FitGuards::bad_vertices() const {
   std::vector<std::uint8_t> is_bad_one(remesh_.vertex_count(), 0);
@@ -38,6 +41,16 @@ std::vector<std::uint8_t> FitGuards::bad_vertices() const {
   return is_bad_one;
 }
 
+void FitGuards::add_narrowed(std::vector<std::uint8_t>& is_bad_one) const {
+  constexpr double cosine_of_28 = 0.882947592858927;
+  for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
+    const double cosine = largest_cosine(t);
+    if (cosine <= cosine_of_28) continue;
+    if (cosine <= turned_by_two_degrees(first_cosine_[t])) continue;
+    for (const VertexId v : remesh_.triangles[t]) is_bad_one[v] = 1;
+  }
+}
+
 bool FitGuards::is_bad(TriangleId t) const {
   constexpr double least_turn_cosine = 0.25882;  // of 75 degrees
   const auto& [a, b, c] = remesh_.triangles[t];
@@ -49,14 +62,6 @@ bool FitGuards::is_bad(TriangleId t) const {
 // Of the smallest angle.
 double FitGuards::largest_cosine(TriangleId t) const {
   return cosine_of_smallest_angle(corners_of(remesh_, remesh_.triangles[t], metric_));
-}
-
-double FitGuards::largest_cosine_of_all() const {
-  double largest = -1;
-  for (TriangleId t = 0; t < remesh_.triangle_count(); ++t) {
-    largest = std::max(largest, largest_cosine(t));
-  }
-  return largest;
 }
 
 }  // namespace geolloyd

@@ -21,17 +21,20 @@ class FitGuards {
 
   /// Per vertex: 1 where it is one, or a corner of a bad triangle.
   [[nodiscard]] std::vector<std::uint8_t> bad_vertices() const;
+  /// Marks the corners of triangles one of whose angles is below 28 degrees, and smaller by 2 than
+  /// the smallest one of that triangle was.
+  void add_narrowed(std::vector<std::uint8_t>& is_bad_one) const;
 
  private:
   [[nodiscard]] bool is_bad(TriangleId t) const;
   [[nodiscard]] double largest_cosine(TriangleId t) const;
-  [[nodiscard]] double largest_cosine_of_all() const;
 
   const MovingRemesh& remesh_;
   std::span<const Metric> metric_;  // per vertex; empty: none
-  double most_cosine_;              // of a smallest angle
+  double most_cosine_ = 1;          // of a smallest angle
   double highest_;
-  std::vector<Vec3> normal_;  // per vertex: at first
+  std::vector<Vec3> normal_;          // per vertex: at first
+  std::vector<double> first_cosine_;  // per triangle: of its smallest angle, at first
 };
 
 }  // namespace geolloyd

@@ -18,6 +18,7 @@
 #include "core/surface/features/curve_sites.h"
 #include "core/surface/features/patches.h"
 #include "core/surface/features/small_features.h"
+#include "core/surface/fit/curve_fit.h"
 #include "core/surface/fit/surface_fit.h"
 #include "core/surface/flips/edge_flips.h"
 #include "core/surface/flips/glides.h"
@@ -135,6 +136,7 @@ class Remesher {
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
     if (options_.fit && result.is_manifold() && !relaxer_.is_interrupted()) {
+      fit_curves(shape, result);
       fit_and_glide(shape, on_curves, result);
       place_fitted(mesh_, input_, result.mesh.positions, dualised_.state.labels,
                    surface_->curves.vertices, sites.on_curves, result.places, executor_);
@@ -164,6 +166,13 @@ class Remesher {
         std::count_if(area.begin(), area.end(), [&](double a) { return a < least; }));
   }
 
+  void fit_curves(std::span<const Metric> shape, Remesh& result) const {
+    const auto moved = fit_to_curves(input_, surface_->curves, dualised_.state.labels, shape,
+                                     result.mesh, executor_);
+    place_on_curves(mesh_, input_, moved, dualised_.state.labels, result.places, executor_);
+    result.vertices_fitted = moved.size();
+  }
+
   void fit_and_glide(std::span<const Metric> shape,
                      std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) const {
     // Where most vertices are because the topology needs them, there is no lattice to glide in.
@@ -174,7 +183,7 @@ class Remesher {
     const auto distance = [&](const FitError& error) {
       return std::sqrt(error.mean_square) / input_.frame.scale;
     };
-    result.vertices_fitted = fitted.moved;
+    result.vertices_fitted += fitted.moved;
     result.distance_before_fit = distance(fitted.before);
     result.distance_after_fit = distance(fitted.moved > 0 ? fitted.after : fitted.before);
   }

@@ -205,6 +205,17 @@ void place_fitted(const Mesh& mesh, const SurfaceInput& input, const std::vector
   });
 }
 
+void place_on_curves(const Mesh& mesh, const SurfaceInput& input,
+                     std::span<const MovedCurveVertex> moved, const std::vector<RegionId>& labels,
+                     std::vector<SurfacePoint>& places, Executor& executor) {
+  if (moved.empty()) return;
+  const Bucketed<VertexId> cells = vertices_of_cells(places.size(), labels, executor);
+  const SitePlacer placer(mesh, input);
+  for (const auto& [v, on_curve] : moved) {
+    places[v] = placer.find_beyond(on_curve, cells[v], {});
+  }
+}
+
 void place_corners(const Mesh& mesh, const SurfaceInput& input, std::span<const VertexId> corners,
                    std::vector<SurfacePoint>& places) {
   for (std::size_t i = 0; i < corners.size(); ++i) {

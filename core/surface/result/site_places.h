@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/surface/fit/curve_fit.h"
 #include "core/surface/substrate/surface_input.h"
 #include "geolloyd/remesh.h"
 
@@ -23,6 +24,11 @@ void place_fitted(const Mesh& mesh, const SurfaceInput& input, const std::vector
                   const std::vector<RegionId>& labels, std::span<const VertexId> on_curves,
                   std::size_t first, std::vector<SurfacePoint>& places,
                   Executor& executor = sequential());
+
+/// Finds new places for vertices on curves that a fit has moved: on their curves.
+void place_on_curves(const Mesh& mesh, const SurfaceInput& input,
+                     std::span<const MovedCurveVertex> moved, const std::vector<RegionId>& labels,
+                     std::vector<SurfacePoint>& places, Executor& executor = sequential());
 
 /// The first places are those of corners (vertices of `input.fine`). Snaps those that coincide with
 /// a vertex of the mesh to it, exactly.
