@@ -13,9 +13,12 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/shapes/shapes.h"
+#include "core/surface/fit/surface_fit.h"
 #include "core/surface/flips/edge_flips.h"
 #include "core/surface/flips/flippable_triangles.h"
 #include "core/surface/flips/glide_paths.h"
+#include "core/surface/flips/moved_labels.h"
+#include "core/surface/flips/vertex_moves.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/random_graph.h"
 #include "tests/support/sharp_solids.h"
@@ -153,6 +156,98 @@ TEST(FlippableTriangles, StayConnectedAfterFlips) {
   }
 }
 
+// What is around a vertex may be replaced in any way that fills its place.
+TEST(FlippableTriangles, CanBeReplaced) {
+  const Mesh sphere = icosphere(162);
+  FlippableTriangles triangles(sphere.vertex_count(), sphere.triangles);
+  std::vector<FlippableTriangles::Replacement> fan;
+  const auto added = static_cast<VertexId>(sphere.vertex_count());
+  const auto next = static_cast<TriangleId>(sphere.triangle_count());
+  const auto [a, b, c] = sphere.triangles[7];
+  fan = {{7, {a, b, added}}, {next, {b, c, added}}, {next + 1, {c, a, added}}};
+  triangles.replace(fan);
+  EXPECT_EQ(triangles.count_around(added), 3U);
+  EXPECT_TRUE(triangles.is_inside(added));
+  fan = {{next, {a, b, c}}, {7, FlippableTriangles::none}, {next + 1, FlippableTriangles::none}};
+  triangles.replace(fan);
+  EXPECT_EQ(triangles.count_around(added), 0U);
+  EXPECT_FALSE(triangles.is_inside(added));
+  EXPECT_FALSE(triangles.exists(7));
+  const FlippableTriangles anew(sphere.vertex_count(), sphere.triangles);
+  for (VertexId v = 0; v < sphere.vertex_count(); ++v) {
+    EXPECT_EQ(triangles.count_around(v), anew.count_around(v));
+    EXPECT_TRUE(triangles.is_inside(v));
+  }
+}
+
+// The triangles of a patch that are still there, with numbers of its vertices.
+Mesh mesh_of(const GlidePatch& patch) {
+  Mesh mesh;
+  for (VertexId v = 0; v < patch.vertices().size(); ++v) {
+    mesh.positions.push_back(patch.position(v));
+  }
+  for (TriangleId t = 0; t < patch.triangles().size(); ++t) {
+    if (patch.triangles().exists(t)) mesh.triangles.push_back(patch.triangles()[t]);
+  }
+  return mesh;
+}
+
+void expect_connected(const GlidePatch& patch) {
+  const Mesh mesh = mesh_of(patch);
+  const FlippableTriangles anew(mesh.vertex_count(), mesh.triangles);
+  for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
+    const auto count = static_cast<int>(anew.count_around(v));
+    EXPECT_EQ(patch.triangles().count_around(v), anew.count_around(v));
+    if (!patch.is_free(v) || count == 0) continue;
+    EXPECT_EQ(patch.excess(v), count - 6);
+  }
+}
+
+// A split, and the collapse of the new edge, in all ways: the topology stays, and in the end all is
+// as it was.
+TEST(GlidePatch, CollapsesWhatItSplits) {
+  const Mesh sphere = icosphere(642);
+  const Prepared prepared = prepare(sphere, sphere);
+  const std::vector<std::uint8_t> barred(sphere.vertex_count(), 0);
+  const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, sphere, sequential());
+  for (const VertexId centre : {0U, 100U}) {
+    const GlidePatch patch(gliding, centre, 4);
+    const auto added = static_cast<VertexId>(patch.vertices().size());
+    const std::vector<GlidePatch::Split> splits = patch.splits_of(0);
+    const std::size_t count = patch.triangles().count_around(0);
+    EXPECT_EQ(splits.size(), count * (count - 3) / 2);
+    for (const GlidePatch::Split& split : splits) {
+      GlidePatch changed = patch;
+      changed.split(split);
+      expect_connected(changed);
+      const auto [of_old, of_new] = patch.neighbours_split(split);
+      EXPECT_EQ(changed.triangles().count_around(0), static_cast<std::size_t>(of_old));
+      EXPECT_EQ(changed.triangles().count_around(added), static_cast<std::size_t>(of_new));
+      const Mesh split_mesh = mesh_of(changed);
+      EXPECT_EQ(split_mesh.triangle_count(), patch.triangles().size() + 2);
+      const Side side = changed.triangles().side_of(0, added);
+      ASSERT_TRUE(changed.can_collapse(side));
+      changed.collapse(side);
+      expect_connected(changed);
+      EXPECT_EQ(mesh_of(changed).triangle_count(), patch.triangles().size());
+      EXPECT_EQ(changed.triangles().count_around(0) + changed.triangles().count_around(added),
+                count);
+    }
+  }
+}
+
+// Held vertices do not become one with others, nor is one split.
+TEST(GlidePatch, LeavesHeldVertices) {
+  const Mesh sphere = icosphere(162);
+  const Prepared prepared = prepare(sphere, sphere);
+  const std::vector<std::uint8_t> barred(sphere.vertex_count(), 0);
+  const GlidingRemesh gliding(prepared.input, prepared.labels, sphere.vertex_count(), {}, barred,
+                              sphere, sequential());
+  const GlidePatch patch(gliding, 20, 3);
+  EXPECT_TRUE(patch.splits_of(0).empty());
+  EXPECT_TRUE(find_collapses(patch).empty());
+}
+
 TEST(GlidePaths, OfARegularVertexAreNone) {
   const Mesh mesh = lattice(16);
   const Prepared prepared = prepare(mesh, mesh);
@@ -168,9 +263,9 @@ TEST(GlidePaths, FindTheWayBack) {
   const Prepared prepared = prepare(mesh, mesh);
   const std::vector<std::uint8_t> barred(mesh.vertex_count(), 0);
   const GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, mesh, sequential());
-  const std::vector<FlipPath> paths = find_glide_paths(GlidePatch(gliding, 8 * 16 + 8, 6));
+  const std::vector<PatchChange> paths = find_glide_paths(GlidePatch(gliding, 8 * 16 + 8, 6));
   ASSERT_FALSE(paths.empty());
-  EXPECT_EQ(paths.front().size(), 1U);
+  EXPECT_EQ(paths.front().flips.size(), 1U);
 }
 
 // No flip of a path raises the sum of squares of excess, the last one lowers it, and each is one
@@ -188,7 +283,8 @@ TEST(GlidePaths, LowerTheSumOfSquares) {
   for (VertexId v = 0; v < mesh.vertex_count(); ++v) {
     if (excess[v] == 0) continue;
     const GlidePatch patch(gliding, v, 9);
-    for (const FlipPath& path : find_glide_paths(patch)) {
+    for (const PatchChange& found : find_glide_paths(patch)) {
+      const FlipPath& path = found.flips;
       ++paths;
       GlidePatch walked = patch;
       int sum = 0;
@@ -255,6 +351,37 @@ TEST(Glides, LeaveAnIcosphere) {
   EXPECT_EQ(glide(prepared), 0U);
   EXPECT_EQ(prepared.remesh.triangles, sphere.triangles);
   EXPECT_EQ(prepared.remesh.positions, sphere.positions);
+}
+
+// As many vertices as before, fewer of them irregular, each with a part of the surface near it.
+TEST(VertexMoves, LeaveFewerIrregularOnes) {
+  const Mesh surface = creature(20'000, 1);
+  RemeshOptions options;
+  options.vertex_count = 800;
+  options.fit = false;
+  Mesh before = remesh(surface, options, reference_runtime()).mesh;
+  Prepared prepared = prepare(surface, before);
+  fit_to_surface(prepared.input, prepared.labels, 0, {}, before);
+  const std::vector<std::uint8_t> barred(before.vertex_count(), 0);
+  GlidingRemesh gliding(prepared.input, prepared.labels, 0, {}, barred, before, sequential());
+  const VertexMoves moves = move_vertices(gliding);
+  EXPECT_GT(moves.count, 0U);
+  const Mesh after = with_triangles(before, gliding.triangles);
+  EXPECT_LT(irregular_of(after), irregular_of(before));
+  EXPECT_EQ(find_topology(after, find_edges(after)).parts,
+            find_topology(before, find_edges(before)).parts);
+  relabel_moved(prepared.input.fine, gliding, moves.moved, prepared.labels);
+  const std::set<RegionId> labels(prepared.labels.begin(), prepared.labels.end());
+  EXPECT_EQ(labels.size(), before.vertex_count());
+  for (const VertexId v : moves.moved) {
+    for (VertexId p = 0; p < prepared.labels.size(); ++p) {
+      if (prepared.labels[p] != v) continue;
+      EXPECT_LT(norm(prepared.input.fine.positions[p] - gliding.positions[v]), gliding.fit.side);
+    }
+  }
+  GlidingRemesh held(prepared.input, prepared.labels, before.vertex_count(), {}, barred, before,
+                     sequential());
+  EXPECT_EQ(move_vertices(held).count, 0U);
 }
 
 // What is kept is not flipped back, where else that would make the lattice regular.

@@ -155,7 +155,7 @@ struct Remesh {
                                             ///< ascending
   std::size_t edges_flipped = 0;            ///< of the dual, for larger angles
   std::size_t glides = 0;                   ///< paths of flips by which pairs of irregular vertices
-                                            ///< met and were gone
+                                            ///< met and were gone, and vertices moved
   std::size_t vertices_fitted = 0;          ///< moved off the surface, or off curves
   double distance_before_fit = 0;  ///< from points of the input to the remesh, whose curves were
                                    ///< fitted already: root of the mean square, mesh units; 0

@@ -1,6 +1,7 @@
 #include "core/surface/flips/flippable_triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace geolloyd {
 
@@ -8,22 +9,22 @@ FlippableTriangles::FlippableTriangles(std::size_t vertices, std::span<const Tri
     : triangles_(triangles.begin(), triangles.end()),
       across_(triangles.size(), {no_id, no_id, no_id}),
       one_at_(vertices, no_id) {
-  connect();
-}
-
-void FlippableTriangles::connect() {
-  struct SideOfEdge {
-    std::array<VertexId, 2> edge;  // ascending
-    Side side;
-  };
   std::vector<SideOfEdge> sides;
   sides.reserve(3 * size());
   for (TriangleId t = 0; t < size(); ++t) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      sides.push_back({ascending(corner(t, k + 1), corner(t, k + 2)), {t, k}});
-      one_at_[corner(t, k)] = t;
-    }
+    add_sides(t, sides);
+    for (const VertexId v : triangles_[t]) one_at_[v] = t;
   }
+  connect(std::move(sides));
+}
+
+void FlippableTriangles::add_sides(TriangleId t, std::vector<SideOfEdge>& sides) const {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    sides.push_back({ascending(corner(t, k + 1), corner(t, k + 2)), {t, k}});
+  }
+}
+
+void FlippableTriangles::connect(std::vector<SideOfEdge> sides) {
   std::stable_sort(sides.begin(), sides.end(),
                    [](const SideOfEdge& a, const SideOfEdge& b) { return a.edge < b.edge; });
   for (std::size_t i = 1; i < sides.size(); ++i) {
@@ -96,6 +97,43 @@ void FlippableTriangles::flip(Side side) {
   one_at_[b] = t;
   one_at_[d] = u;
   one_at_[c] = u;
+}
+
+// Sides of triangles about the place are found again as those of edges they have in common with it.
+void FlippableTriangles::replace(std::span<const Replacement> replacements) {
+  std::vector<TriangleId> about;
+  for (const Replacement& replacement : replacements) {
+    make_room(replacement);
+    const TriangleId t = replacement.triangle;
+    for (const VertexId v : triangles_[t]) {
+      if (v != no_id) one_at_[v] = no_id;
+    }
+    about.insert(about.end(), across_[t].begin(), across_[t].end());
+  }
+  for (const auto& [t, corners] : replacements) {
+    triangles_[t] = corners;
+    across_[t] = {no_id, no_id, no_id};
+    about.push_back(t);
+  }
+  std::sort(about.begin(), about.end());
+  about.erase(std::unique(about.begin(), about.end()), about.end());
+  std::vector<SideOfEdge> sides;
+  for (const TriangleId t : about) {
+    if (t == no_id || !exists(t)) continue;
+    add_sides(t, sides);
+    for (const VertexId v : triangles_[t]) one_at_[v] = t;
+  }
+  connect(std::move(sides));
+}
+
+void FlippableTriangles::make_room(const Replacement& replacement) {
+  if (replacement.triangle >= triangles_.size()) {
+    triangles_.resize(replacement.triangle + 1, none);
+    across_.resize(triangles_.size(), {no_id, no_id, no_id});
+  }
+  for (const VertexId v : replacement.corners) {
+    if (v != no_id && v >= one_at_.size()) one_at_.resize(v + 1, no_id);
+  }
 }
 
 }  // namespace geolloyd

@@ -10,8 +10,9 @@
 
 namespace geolloyd {
 
-/// The triangles of a manifold, each with those beyond its edges. Edges can be flipped. A part of a
-/// manifold is one, too, but for vertices whose triangles are not all there.
+/// The triangles of a manifold, each with those beyond its edges. Edges can be flipped, and
+/// triangles replaced. A part of a manifold is one, too, but for vertices whose triangles are not
+/// all there.
 class FlippableTriangles {
  public:
   FlippableTriangles(std::size_t vertices, std::span<const Triangle> triangles);
@@ -69,8 +70,25 @@ class FlippableTriangles {
   /// The two triangles become (a, b, d) and (a, d, c).
   void flip(Side side);
 
+  /// A triangle with other corners. With corners of no_id there is none any more; its id is free.
+  struct Replacement {
+    TriangleId triangle;
+    Triangle corners;
+  };
+  static constexpr Triangle none = {no_id, no_id, no_id};
+  /// Some triangles by others that fill the same place. Ids and vertices one past the last make the
+  /// arrays longer.
+  void replace(std::span<const Replacement> replacements);
+  [[nodiscard]] bool exists(TriangleId t) const { return triangles_[t] != none; }
+
  private:
-  void connect();
+  struct SideOfEdge {
+    std::array<VertexId, 2> edge;  // ascending
+    Side side;
+  };
+  void add_sides(TriangleId t, std::vector<SideOfEdge>& sides) const;
+  void connect(std::vector<SideOfEdge> sides);
+  void make_room(const Replacement& replacement);
   [[nodiscard]] std::uint32_t corner_of(TriangleId t, VertexId v) const {
     return triangles_[t][0] == v ? 0 : (triangles_[t][1] == v ? 1 : 2);
   }

@@ -9,6 +9,8 @@
 
 #include "core/base/loops.h"
 #include "core/surface/flips/glide_trial.h"
+#include "core/surface/flips/moved_labels.h"
+#include "core/surface/flips/vertex_moves.h"
 
 namespace geolloyd {
 namespace {
@@ -17,14 +19,16 @@ constexpr std::size_t reach = 9;  // rings: of a path, and what is fitted about 
 
 class Glider {
  public:
-  Glider(GlidingRemesh remesh, Executor& executor, const std::function<bool()>& keep_going)
-      : remesh_(std::move(remesh)),
+  Glider(GlidingRemesh& remesh, Executor& executor, const std::function<bool()>& keep_going)
+      : remesh_(remesh),
         executor_(executor),
         keep_going_(keep_going),
-        changed_(remesh_.positions.size(), 0) {}
+        changed_(remesh_.positions.size(), 0),
+        may_glide_(remesh_.positions.size(), 1) {}
 
+  // Vertices near which nothing has changed since they were tried are not tried again.
   // A batch is tried at once; it is small where patches would overlap.
-  std::size_t run() {
+  std::size_t sweep() {
     constexpr std::size_t vertices_per_trial = 2048;
     const std::size_t batch = std::max<std::size_t>(1, changed_.size() / vertices_per_trial);
     const std::vector<VertexId> irregular = irregular_vertices();
@@ -36,8 +40,9 @@ class Glider {
                    [&](std::size_t i) { attempts[i] = attempt(irregular[begin + i]); });
       for (std::size_t i = 0; i < count; ++i) {
         if (is_outdated(attempts[i])) attempts[i] = attempt(irregular[begin + i]);
+        may_glide_[irregular[begin + i]] = 0;
         if (!attempts[i].glide) continue;
-        commit(*attempts[i].glide);
+        commit(attempts[i]);
         ++glides;
       }
       for (const VertexId v : touched_) changed_[v] = 0;
@@ -47,7 +52,9 @@ class Glider {
     return glides;
   }
 
-  [[nodiscard]] const GlidingRemesh& remesh() const { return remesh_; }
+  void look_again_at(std::span<const VertexId> vertices) {
+    for (const VertexId v : vertices) may_glide_[v] = 1;
+  }
 
  private:
   struct Attempt {
@@ -58,21 +65,18 @@ class Glider {
   [[nodiscard]] std::vector<VertexId> irregular_vertices() const {
     std::vector<VertexId> irregular;
     for (VertexId v = 0; v < remesh_.positions.size(); ++v) {
-      if (is_irregular(v)) irregular.push_back(v);
+      if (may_glide_[v] != 0 && remesh_.is_irregular(v)) irregular.push_back(v);
     }
     return irregular;
-  }
-  [[nodiscard]] bool is_irregular(VertexId v) const {
-    return remesh_.triangles.is_inside(v) && remesh_.triangles.count_around(v) != 6;
   }
 
   [[nodiscard]] Attempt attempt(VertexId v) const {
     Attempt attempt;
     attempt.seen = {v};
-    if (!is_irregular(v)) return attempt;
+    if (!remesh_.is_irregular(v)) return attempt;
     const GlidePatch patch(remesh_, v, reach);
     attempt.seen.assign(patch.vertices().begin(), patch.vertices().end());
-    for (const FlipPath& path : find_glide_paths(patch)) {
+    for (const PatchChange& path : find_glide_paths(patch)) {
       attempt.glide = try_glide(remesh_, patch, path);
       if (attempt.glide) break;
     }
@@ -84,38 +88,41 @@ class Glider {
                        [&](VertexId v) { return changed_[v] != 0; });
   }
 
-  void commit(const Glide& glide) {
-    for (const FlippableTriangles::Side& side : glide.flips) remesh_.triangles.flip(side);
-    for (const auto& [v, position] : glide.positions) {
-      remesh_.positions[v] = position;
+  void commit(const Attempt& attempt) {
+    take_glide(*attempt.glide, remesh_);
+    for (const auto& [v, position] : attempt.glide->positions) {
       changed_[v] = 1;
       touched_.push_back(v);
     }
-    for (const TriangleId t : glide.triangles) remesh_.on_triangle[t].clear();
-    for (const auto& [t, sample] : glide.samples) remesh_.on_triangle[t].push_back(sample);
+    look_again_at(attempt.seen);
   }
 
-  GlidingRemesh remesh_;
+  GlidingRemesh& remesh_;
   Executor& executor_;
   const std::function<bool()>& keep_going_;
-  std::vector<std::uint8_t> changed_;  // per vertex: in this batch
+  std::vector<std::uint8_t> changed_;    // per vertex: in this batch
+  std::vector<std::uint8_t> may_glide_;  // per vertex
   std::vector<VertexId> touched_;
 };
 
 }  // namespace
 
-std::size_t glide_irregular(const SurfaceInput& input, std::span<const RegionId> labels,
+std::size_t glide_irregular(const SurfaceInput& input, std::vector<RegionId>& labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
                             std::span<const std::uint8_t> barred, Mesh& remesh, Executor& executor,
                             const std::function<bool()>& keep_going) {
   if (remesh.triangles.empty()) return 0;
-  Glider glider(GlidingRemesh(input, labels, held, kept, barred, remesh, executor), executor,
-                keep_going);
-  const std::size_t glides = glider.run();
+  GlidingRemesh gliding(input, labels, held, kept, barred, remesh, executor);
+  Glider glider(gliding, executor, keep_going);
+  std::size_t glides = glider.sweep();
+  const VertexMoves moves = move_vertices(gliding, executor, keep_going);
+  relabel_moved(input.fine, gliding, moves.moved, labels);
+  glider.look_again_at(moves.changed);
+  glides += moves.count + glider.sweep();
   if (glides == 0) return 0;
-  remesh.triangles = glider.remesh().triangles.triangles();
+  remesh.triangles = gliding.triangles.triangles();
   for (std::size_t v = held; v < remesh.vertex_count(); ++v) {
-    const Vec3& position = glider.remesh().positions[v];
+    const Vec3& position = gliding.positions[v];
     if (position != input.frame.to_unit(remesh.positions[v])) {
       remesh.positions[v] = input.frame.to_mesh(position);
     }

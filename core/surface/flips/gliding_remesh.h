@@ -26,6 +26,10 @@ struct GlidingRemesh {
                 std::span<const std::array<VertexId, 2>> kept, std::span<const std::uint8_t> barred,
                 const Mesh& remesh, Executor& executor);
 
+  /// Inside, with more or fewer than six neighbours.
+  [[nodiscard]] bool is_irregular(VertexId v) const {
+    return triangles.is_inside(v) && triangles.count_around(v) != 6;
+  }
   [[nodiscard]] bool is_kept(VertexId a, VertexId b) const;
 
   SurfaceSamples samples;

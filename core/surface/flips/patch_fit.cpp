@@ -21,6 +21,7 @@ PatchFit::Part::Part(const GlidingRemesh& of_whole, const GlidePatch& patch,
         if (number_of[v] != no_id || !is_one(v)) continue;
         number_of[v] = static_cast<VertexId>(vertex.size());
         vertex.push_back(patch.vertex(v));
+        area.push_back(patch.area_at(v));
         remesh.positions.push_back(patch.position(v));
       }
     }
@@ -33,20 +34,25 @@ PatchFit::Part::Part(const GlidingRemesh& of_whole, const GlidePatch& patch,
     const auto& [a, b, c] = patch.triangles()[t];
     remesh.triangles.push_back({number_of[a], number_of[b], number_of[c]});
     triangle.push_back(patch.triangle(t));
-    for (const PlacedSample& placed : whole.on_triangle[patch.triangle(t)]) {
-      const Sample sample = whole.samples[placed.sample];
-      samples.add({sample.point, sample.weight, number_of[a]}, placed.sample);
-      on.push_back(static_cast<TriangleId>(triangle.size() - 1));
-    }
+    take_samples(patch, t);
   }
   remesh.start = remesh.positions;
   remesh.triangles_at = triangles_at_vertices(remesh.vertex_count(), remesh.triangles);
 }
 
+// Of the latest triangle.
+void PatchFit::Part::take_samples(const GlidePatch& patch, TriangleId t) {
+  for (const TriangleId from : patch.samples_from(t)) {
+    for (const PlacedSample& placed : whole.on_triangle[from]) {
+      const Sample sample = whole.samples[placed.sample];
+      samples.add({sample.point, sample.weight, remesh.triangles.back()[0]}, placed.sample);
+      on.push_back(static_cast<TriangleId>(triangle.size() - 1));
+    }
+  }
+}
+
 FitSetting PatchFit::Part::setting() const {
-  FitSetting setting = {on_curves, held, whole.fit.side, {}, whole.fit.whole};
-  for (const VertexId v : vertex) setting.area.push_back(whole.fit.area[v]);
-  return setting;
+  return {on_curves, held, whole.fit.side, area, whole.fit.whole};
 }
 
 PatchFit::PatchFit(const GlidingRemesh& whole, const GlidePatch& patch,

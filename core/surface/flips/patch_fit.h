@@ -59,11 +59,13 @@ class PatchFit {
   // A region as a remesh of its own.
   struct Part {
     Part(const GlidingRemesh& whole, const GlidePatch& patch, const GlidePatch::Region& region);
+    void take_samples(const GlidePatch& patch, TriangleId t);
     [[nodiscard]] FitSetting setting() const;
 
     const GlidingRemesh& whole;
     std::vector<VertexId> vertex;  // per vertex: of the whole; those that do not move come first
     std::vector<TriangleId> triangle;  // per triangle: of the whole
+    std::vector<double> area;          // per vertex: of a triangle, asked for
     std::size_t on_curves = 0;
     std::size_t held = 0;
     MovingRemesh remesh;

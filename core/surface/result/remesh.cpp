@@ -174,12 +174,13 @@ class Remesher {
   }
 
   void fit_and_glide(std::span<const Metric> shape,
-                     std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) const {
+                     std::span<const std::array<VertexId, 2>> on_curves, Remesh& result) {
     // Where most vertices are because the topology needs them, there is no lattice to glide in.
     const bool is_lattice = result.mesh.vertex_count() <= 2 * count_;
-    const FitResult fitted = shape.empty() && is_lattice
-                                 ? glide(on_curves, result)
-                                 : fit(shape, {.keep_going = keep_going_}, result.mesh);
+    const FitResult fitted =
+        shape.empty() && is_lattice
+            ? glide(on_curves, result)
+            : fit(dualised_.state.labels, shape, {.keep_going = keep_going_}, result.mesh);
     const auto distance = [&](const FitError& error) {
       return std::sqrt(error.mean_square) / input_.frame.scale;
     };
@@ -188,10 +189,10 @@ class Remesher {
     result.distance_after_fit = distance(fitted.moved > 0 ? fitted.after : fitted.before);
   }
 
-  [[nodiscard]] FitResult fit(std::span<const Metric> shape, const FitEffort& effort,
-                              Mesh& remesh) const {
-    return fit_to_surface(input_, dualised_.state.labels, dualised_.state.sites.on_curves, shape,
-                          remesh, executor_, effort);
+  [[nodiscard]] FitResult fit(std::span<const RegionId> labels, std::span<const Metric> shape,
+                              const FitEffort& effort, Mesh& remesh) const {
+    return fit_to_surface(input_, labels, dualised_.state.sites.on_curves, shape, remesh, executor_,
+                          effort);
   }
 
   // A fit, glides, and a fit anew. Of many vertices the first fit is short, which saves time and
@@ -199,7 +200,7 @@ class Remesher {
   // were before any fit, or triangles pass through each other and none did, glides are tried again
   // without those about there. There are none if the mean distance grows.
   [[nodiscard]] FitResult glide(std::span<const std::array<VertexId, 2>> on_curves,
-                                Remesh& result) const {
+                                Remesh& result) {
     constexpr double farther = 1.05;    // times: in the mean
     constexpr double farthest = 1.125;  // times: the farthest point
     constexpr double close = 4;         // times what is negligible: the root, on mechanical parts
@@ -208,7 +209,8 @@ class Remesher {
     constexpr int few_rounds = 3;
     const FitEffort full = {.keep_going = keep_going_};
     const bool is_short = result.mesh.vertex_count() >= many;
-    FitResult fitted = fit({}, is_short ? FitEffort{few_rounds, keep_going_} : full, result.mesh);
+    FitResult fitted = fit(dualised_.state.labels, {},
+                           is_short ? FitEffort{few_rounds, keep_going_} : full, result.mesh);
     const double root =
         std::max(farther * std::sqrt(fitted.after.mean_square), close * fitted.negligible);
     const double largest = std::max(farthest * fitted.before.largest, fitted.negligible);
@@ -222,17 +224,19 @@ class Remesher {
     std::vector<std::uint8_t> barred(result.mesh.vertex_count(), 0);
     for (int attempt = 0; attempt < attempts; ++attempt) {
       Mesh gliding = result.mesh;
+      std::vector<RegionId> labels = dualised_.state.labels;
       const std::size_t glides =
-          glide_irregular(input_, dualised_.state.labels, dualised_.state.sites.on_curves,
-                          on_curves, barred, gliding, executor_, keep_going_);
+          glide_irregular(input_, labels, dualised_.state.sites.on_curves, on_curves, barred,
+                          gliding, executor_, keep_going_);
       if (glides == 0) break;
-      const FitResult anew = fit({}, full, gliding);
+      const FitResult anew = fit(labels, {}, full, gliding);
       if (relaxer_.is_interrupted()) return fitted;
       const auto crossing =
           may_cross ? std::vector<TrianglePair>() : find_crossings(gliding, executor_);
       if (anew.after.largest <= largest && crossing.empty()) {
         if (anew.after.mean_square > root * root) break;
         take(std::move(gliding), glides, anew);
+        dualised_.state.labels = std::move(labels);
         return fitted;
       }
       for (std::size_t v = 0; v < barred.size(); ++v) {
@@ -242,7 +246,7 @@ class Remesher {
     }
     if (is_short) {
       Mesh mesh = result.mesh;
-      const FitResult anew = fit({}, full, mesh);
+      const FitResult anew = fit(dualised_.state.labels, {}, full, mesh);
       take(std::move(mesh), 0, anew);
     }
     return fitted;
