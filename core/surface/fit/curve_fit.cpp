@@ -29,7 +29,7 @@ class CurveFitter {
   std::vector<MovedCurveVertex> run() {
     parallel_for(executor_, chains_.size(), 1, [&](std::size_t c) { chains_[c].fit(); });
     take_positions();
-    while (put_back_bad()) take_positions();
+    while (put_back_bad() || put_back_crossing()) take_positions();
     return moved();
   }
 
@@ -63,6 +63,17 @@ class CurveFitter {
   bool put_back_bad() {
     std::vector<std::uint8_t> is_bad = guards_.bad_vertices();
     guards_.add_narrowed(is_bad);
+    return put_back(is_bad);
+  }
+
+  bool put_back_crossing() {
+    std::vector<std::uint8_t> crosses(remesh_.vertex_count(), 0);
+    guards_.add_crossing(crosses, executor_);
+    return put_back(crosses);
+  }
+
+  // Whether any had moved.
+  bool put_back(std::span<const std::uint8_t> is_bad) {
     bool any = false;
     for (CurveChain& chain : chains_) {
       bool here = false;

@@ -21,8 +21,8 @@ struct MovedCurveVertex {
 /// `labels` tell the vertex of the remesh that each vertex of `input.fine` belongs to.
 ///
 /// Corners stay, and so does what is straight. Where a point of a curve would be farther than the
-/// farthest one of it was, or a triangle be bad (fit_guards.h, angles in `metric`), the vertices
-/// there stay where they were. Returns those that moved, ascending.
+/// farthest one of it was, or a triangle be bad or pass through another (fit_guards.h, angles in
+/// `metric`), the vertices there stay where they were. Returns those that moved, ascending.
 std::vector<MovedCurveVertex> fit_to_curves(const SurfaceInput& input, const FeatureCurves& curves,
                                             std::span<const RegionId> labels,
                                             std::span<const Metric> metric, Mesh& remesh,

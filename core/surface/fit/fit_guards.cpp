@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/mesh_quality.h"
+#include "core/repair/crossings.h"
 
 namespace geolloyd {
 namespace {
@@ -49,6 +50,13 @@ void FitGuards::add_narrowed(std::vector<std::uint8_t>& is_bad_one) const {
     if (cosine <= turned_by_two_degrees(first_cosine_[t])) continue;
     for (const VertexId v : remesh_.triangles[t]) is_bad_one[v] = 1;
   }
+}
+
+void FitGuards::add_crossing(std::vector<std::uint8_t>& is_bad_one, Executor& executor) const {
+  const std::vector<TrianglePair> crossings = find_crossings(remesh_, executor);
+  if (crossings.empty()) return;
+  if (!find_crossings({remesh_.start, remesh_.triangles}, executor).empty()) return;
+  mark_corners(remesh_, crossings, is_bad_one);
 }
 
 bool FitGuards::is_bad(TriangleId t) const {

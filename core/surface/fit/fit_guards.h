@@ -24,6 +24,9 @@ class FitGuards {
   /// Marks the corners of triangles one of whose angles is below 28 degrees, and smaller by 2 than
   /// the smallest one of that triangle was.
   void add_narrowed(std::vector<std::uint8_t>& is_bad_one) const;
+  /// Marks the corners of triangles that pass through each other, if none did at first: where some
+  /// did the shape is lost, and distance decides.
+  void add_crossing(std::vector<std::uint8_t>& is_bad_one, Executor& executor) const;
 
  private:
   [[nodiscard]] bool is_bad(TriangleId t) const;

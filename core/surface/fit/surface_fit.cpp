@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/mesh/mesh_quality.h"
-#include "core/repair/crossings.h"
 #include "core/surface/fit/asked_areas.h"
 #include "core/surface/fit/fit_functional.h"
 #include "core/surface/fit/fit_guards.h"
@@ -159,7 +158,7 @@ class Fitter {
       mark_far(largest, goes_back);
       const bool any = begin_at_first(largest);
       if (put_back_those(goes_back) || any) continue;
-      mark_crossing(goes_back);
+      guards_.add_crossing(goes_back, executor_);
       if (!put_back_those(goes_back)) return error;
     }
   }
@@ -173,14 +172,6 @@ class Fitter {
       any = true;
     }
     return any;
-  }
-
-  // Where triangles did so at first, the shape is lost, and distance decides.
-  void mark_crossing(std::vector<std::uint8_t>& marked) const {
-    const std::vector<TrianglePair> crossings = find_crossings(remesh_, executor_);
-    if (crossings.empty()) return;
-    if (!find_crossings({remesh_.start, remesh_.triangles}, executor_).empty()) return;
-    mark_corners(remesh_, crossings, marked);
   }
 
   void mark_far(double largest, std::vector<std::uint8_t>& marked) const {
