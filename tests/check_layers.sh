@@ -22,12 +22,12 @@ core/formats/ply:
 core/shapes: shapes
 core/dual: dual_mesh region_surface seed_insertion
 core/surface/substrate: coarse_mesh fine_mesh surface_input
-core/surface/sizing: curvature field_metric recipe sizing
+core/surface/sizing: curvature equal_error field_metric recipe sizing
 core/surface/cells: cell_labels cell_pieces moments nearest_label paired_surface_engine reference_surface_engine surface_engine
 core/surface/features: curve_sites degrees edge_network patches small_features
 core/surface/creases: creases edge_angles
 core/surface/sites: site_balance site_levels
-core/surface/fit: asked_areas curve_fit fit_functional lbfgs sample_projection surface_fit surface_samples
+core/surface/fit: asked_areas curve_fit fit_functional largest_distances lbfgs sample_projection surface_fit surface_samples
 core/surface/flips: edge_flips glides
 core/surface/result: remesh site_places
 core/graph: components graph mesh_graph

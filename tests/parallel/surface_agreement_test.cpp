@@ -364,5 +364,13 @@ TEST(SurfaceStages, FitTheSameCurves) {
   expect_same_remesh(plate, find_edges(plate), options);
 }
 
+TEST(SurfaceStages, MakeTheSameRemeshOfEqualError) {
+  const Mesh mesh = creature(under_sanitizer ? 2000 : 6000, 1);
+  RemeshOptions options;
+  options.vertex_count = under_sanitizer ? 100 : 300;
+  options.sizing.equal_error = true;
+  expect_same_remesh(mesh, find_edges(mesh), options);
+}
+
 }  // namespace
 }  // namespace geolloyd

@@ -304,8 +304,9 @@ TEST_F(Remeshing, RefusesSizesThatDoNotFit) {
     write_list(file("sizes.txt"), std::string("1\n") + bad + "\n");
     expect_refused("sizes.txt: line 2: ", "--sizing " + name);
   }
-  expect_refused("--sizing, --density and --adapt exclude each other",
-                 "-n 100 --adapt 1 --density " + name);
+  const std::string exclusive = "--sizing, --density, --adapt and --equal-error exclude each other";
+  expect_refused(exclusive, "-n 100 --adapt 1 --density " + name);
+  expect_refused(exclusive, "-n 100 --equal-error --adapt 1");
   expect_refused("how fine? Give ", "--adapt 1");
   expect_refused("--adapt: '2.5': give a number from 0 to 2", "-n 100 --adapt 2.5");
   expect_refused("--growth: '1': give a number above 1", "-n 100 --adapt 1 --growth 1");

@@ -79,6 +79,7 @@ def test_a_mesh_that_is_none(call, vertices, faces, named):
     (lambda: geolloyd.remesh(V, F, 10, density=[[1, 1, 1, 1]]), "density: shape"),
     (lambda: geolloyd.remesh(V, F, 10, adapt=3), "adapt"),
     (lambda: geolloyd.remesh(V, F, 10, adapt=np.nan), "adapt"),
+    (lambda: geolloyd.remesh(V, F, 10, adapt=1, equal_error=True), "equal_error"),
     (lambda: geolloyd.remesh(V, F, 10, growth=1), "growth"),
     (lambda: geolloyd.remesh(V, F, 10, field="wind"), "field"),
     (lambda: geolloyd.remesh(V, F, 10, field=np.ones((3, 8))), "field"),

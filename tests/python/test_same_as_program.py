@@ -22,6 +22,7 @@ def scan(program, creature):
     (["--edge-length", 0.1], {"edge_length": 0.1}),
     (["-n", 200, "--vfield", "curvature"], {"count": 200, "field": "curvature"}),
     (["-n", 200, "--adapt", 1, "--growth", 1.3], {"count": 200, "adapt": 1, "growth": 1.3}),
+    (["-n", 200, "--equal-error"], {"count": 200, "equal_error": True}),
     (["-n", 200, "--features", 30, "--no-fit"], {"count": 200, "features": 30, "fit": False}),
     (["--tolerance", 0.25], {"tolerance": 0.25}),
 ])

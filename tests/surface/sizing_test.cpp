@@ -279,7 +279,8 @@ TEST(Sizing, RefusesWhatIsNoSize) {
   sizing.growth = 1e9;
   EXPECT_TRUE(refused(sizing, "edge lengths: the longest is"));
   sizing.adapt = 1;
-  EXPECT_TRUE(refused(sizing, "edge_lengths, densities and adapt: "));
+  EXPECT_TRUE(refused(sizing, "edge_lengths, densities, adapt and equal_error: "));
+  EXPECT_TRUE(refused({{}, {}, 1, 1.12, true}, "edge_lengths, densities, adapt and equal_error: "));
   for (const double bad : {-1.0, 2.1, std::nan("")}) {
     EXPECT_TRUE(refused({{}, {}, bad, 1.3}, "adapt: ")) << bad;
   }

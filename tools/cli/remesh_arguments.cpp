@@ -108,6 +108,11 @@ void add_adapt_options(CLI::App& command, RemeshRequest& request) {
       ->type_name("G")
       ->group(sizing_group);
   command
+      .add_flag("--equal-error", request.options.sizing.equal_error,
+                "Shorter edges where the remesh would be far from the input, longer\n"
+                "ones where it is close: the largest distance gets smaller")
+      ->group(sizing_group);
+  command
       .add_option_function<std::string>(
           "--growth",
           [&request](const std::string& text) {
@@ -126,8 +131,11 @@ void add_adapt_options(CLI::App& command, RemeshRequest& request) {
 void check_fineness(const RemeshRequest& request) {
   const RemeshOptions& options = request.options;
   const int fields = (request.lengths_file.empty() ? 0 : 1) +
-                     (request.densities_file.empty() ? 0 : 1) + (options.sizing.adapt > 0 ? 1 : 0);
-  if (fields > 1) throw InvalidInput("--sizing, --density and --adapt exclude each other");
+                     (request.densities_file.empty() ? 0 : 1) + (options.sizing.adapt > 0 ? 1 : 0) +
+                     (options.sizing.equal_error ? 1 : 0);
+  if (fields > 1) {
+    throw InvalidInput("--sizing, --density, --adapt and --equal-error exclude each other");
+  }
   const int given = (options.vertex_count > 0 ? 1 : 0) + (options.edge_length > 0 ? 1 : 0) +
                     (request.tolerance > 0 ? 1 : 0);
   if (given == 1 || (given == 0 && !request.lengths_file.empty())) return;

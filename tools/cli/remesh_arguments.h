@@ -34,7 +34,7 @@ void add_field_option(CLI::App& command, RemeshRequest& request, const std::stri
 void check_has_magnitudes(const FieldSource& field);
 /// --sizing and --density: files that belong to one mesh.
 void add_size_file_options(CLI::App& command, RemeshRequest& request);
-/// --adapt and --growth.
+/// --adapt, --equal-error and --growth.
 void add_adapt_options(CLI::App& command, RemeshRequest& request);
 /// Throws InvalidInput unless what is given says how fine a remesh is to be, and does so once.
 void check_fineness(const RemeshRequest& request);

@@ -115,15 +115,15 @@ FeatureOptions features_of(const std::string& creases, double angle, bool small,
 py::tuple remesh_arrays(const NumberArray& vertices, const IdArray& faces, std::size_t count,
                         double edge_length, double tolerance,
                         const std::optional<NumberArray>& lengths,
-                        const std::optional<NumberArray>& densities, double adapt, double growth,
-                        const std::optional<NumberArray>& field, bool by_curvature,
+                        const std::optional<NumberArray>& densities, double adapt, bool equal_error,
+                        double growth, const std::optional<NumberArray>& field, bool by_curvature,
                         const std::string& creases, double crease_angle, bool small_features,
                         const std::optional<IdArray>& feature_edges,
                         const std::optional<IdArray>& groups, const std::optional<IdArray>& fixed,
                         bool fit, const py::object& progress, std::size_t threads) {
   const Mesh mesh = mesh_of(vertices, faces);
   RemeshOptions options;
-  options.sizing = {numbers_of(lengths), numbers_of(densities), adapt, growth};
+  options.sizing = {numbers_of(lengths), numbers_of(densities), adapt, growth, equal_error};
   options.field = spaces_of(field);
   options.features =
       features_of(creases, crease_angle, small_features, feature_edges, groups, fixed);
@@ -152,8 +152,8 @@ py::tuple remesh_arrays(const NumberArray& vertices, const IdArray& faces, std::
 void bind_remesh(py::module_& module) {
   module.def("remesh", &remesh_arrays, py::arg("vertices"), py::arg("faces"), py::kw_only(),
              py::arg("count"), py::arg("edge_length"), py::arg("tolerance"), py::arg("lengths"),
-             py::arg("densities"), py::arg("adapt"), py::arg("growth"), py::arg("field"),
-             py::arg("by_curvature"), py::arg("creases"), py::arg("crease_angle"),
+             py::arg("densities"), py::arg("adapt"), py::arg("equal_error"), py::arg("growth"),
+             py::arg("field"), py::arg("by_curvature"), py::arg("creases"), py::arg("crease_angle"),
              py::arg("small_features"), py::arg("feature_edges"), py::arg("groups"),
              py::arg("fixed"), py::arg("fit"), py::arg("progress"), py::arg("threads"));
 }

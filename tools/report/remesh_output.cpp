@@ -337,7 +337,8 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
   const RemeshOptions& options = request.options;
   const auto or_null = [](auto value) { return value > 0 ? Json(value) : Json(nullptr); };
   const bool varies = !request.lengths_file.empty() || !request.densities_file.empty() ||
-                      options.sizing.adapt > 0 || !request.field.vfield.empty();
+                      options.sizing.adapt > 0 || options.sizing.equal_error ||
+                      !request.field.vfield.empty();
   return {{"vertices", or_null(options.vertex_count)},
           {"edge_length", or_null(options.edge_length)},
           {"tolerance", or_null(request.tolerance)},
@@ -345,6 +346,7 @@ Json remesh_options_part(const RemeshRequest& request, const RemeshWorkers& work
           {"sizing", request.lengths_file.string()},
           {"density", request.densities_file.string()},
           {"adapt", options.sizing.adapt},
+          {"equal_error", options.sizing.equal_error},
           {"growth", varies ? Json(options.sizing.growth) : Json(nullptr)},
           {"vfield", request.field.vfield.string()},
           {"repair", request.repair.has_value()},

@@ -42,7 +42,7 @@ double vertices_added(const Mesh& mesh, double longest, Executor& executor) {
 bool varies(const RemeshOptions& options) {
   const SizingOptions& sizing = options.sizing;
   return !sizing.edge_lengths.empty() || !sizing.densities.empty() || sizing.adapt > 0 ||
-         !options.field.empty();
+         sizing.equal_error || !options.field.empty();
 }
 
 // Edges are shorter where there are features (core/surface/result/remesh.cpp). Whether there are

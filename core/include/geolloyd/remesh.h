@@ -73,7 +73,7 @@ struct FeatureOptions {
   std::vector<VertexId> fixed_vertices;        ///< become vertices of the remesh, in that place
 };
 
-/// Edges that are longer in some places than in others: one of three says where.
+/// Edges that are longer in some places than in others: one of four says where.
 struct SizingOptions {
   std::vector<double> edge_lengths;  ///< per vertex of the mesh: wanted there; above 0. Mesh units;
                                      ///< in proportion, where the number of vertices or the mean
@@ -81,6 +81,8 @@ struct SizingOptions {
   std::vector<double> densities;  ///< per vertex: lengths in proportion to density^(-1/4); above 0
   double adapt = 0;               ///< lengths in proportion to curvature^(-adapt/2); up to 2
   double growth = 1.12;           ///< maximum ratio of the lengths of adjacent edges; above 1
+  bool equal_error = false;       ///< lengths by which the remesh is about as far from the input
+                                  ///< everywhere: found by a quick remesh
 };
 
 /// `vertex_count` or `edge_length` is given, or SizingOptions::edge_lengths alone; what is not

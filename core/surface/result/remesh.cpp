@@ -22,6 +22,7 @@
 #include "core/surface/fit/surface_fit.h"
 #include "core/surface/flips/edge_flips.h"
 #include "core/surface/flips/glides.h"
+#include "core/surface/result/quick_remesh.h"
 #include "core/surface/result/site_places.h"
 #include "core/surface/result/subresolution_holes.h"
 #include "core/surface/result/surface_repair.h"
@@ -313,13 +314,14 @@ class Remesher {
 class SurfaceSizer {
  public:
   SurfaceSizer(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
-               const std::function<void()>& release_edges, Executor& executor)
+               const std::function<void()>& release_edges, Runtime& runtime)
       : mesh_(mesh),
         edges_(edges),
         options_(options),
         release_edges_(release_edges),
-        executor_(executor) {
-    for (const double a : triangle_areas(mesh, edges.duplicates, executor)) area_ += a;
+        runtime_(runtime),
+        executor_(runtime.executor()) {
+    for (const double a : triangle_areas(mesh, edges.duplicates, executor_)) area_ += a;
     if (!(area_ > 0)) throw InvalidInput("mesh: no triangle with an area, so nothing to remesh");
   }
 
@@ -332,7 +334,7 @@ class SurfaceSizer {
       without_creases.creases = Creases::none;
       other_features_ = find_features(without_creases);
     }
-    if (!(options_.sizing.adapt > 0)) release_edges();
+    if (!needs_edges()) release_edges();
     SurfaceInput input = make_input();
     if (options_.sizing.adapt > 0) {
       const double spacing = sizing_.spacing * input.frame.scale;
@@ -343,7 +345,9 @@ class SurfaceSizer {
       release_edges();
       input = make_input();
     }
-    return sized(std::move(input));
+    SizedSurface surface = sized(std::move(input));
+    if (options_.sizing.equal_error) surface = with_equal_error(std::move(surface));
+    return surface;
   }
 
   /// Whether creases were looked for, and found.
@@ -358,6 +362,24 @@ class SurfaceSizer {
   }
 
  private:
+  [[nodiscard]] bool needs_edges() const {
+    return options_.sizing.adapt > 0 || options_.sizing.equal_error;
+  }
+
+  // With sizes that a quick remesh asks for, or as it is where it asks for none.
+  SizedSurface with_equal_error(SizedSurface surface) {
+    const std::vector<double> lengths = lengths_by_quick_remesh(
+        mesh_, surface.input, shape_, count_at(sizing_.spacing), options_, runtime_);
+    if (!lengths.empty()) {
+      sizing_ = find_sizing(mesh_, edges_, lengths, options_, executor_);
+      std::vector<double> sizes = at_fine_vertices(mesh_, surface.input, sizing_.sizes, executor_);
+      surface =
+          sized(with_sizes(std::move(surface.input), std::move(sizes), input_options(), executor_));
+    }
+    release_edges();
+    return surface;
+  }
+
   void release_edges() const {
     if (release_edges_) release_edges_();
   }
@@ -410,6 +432,7 @@ class SurfaceSizer {
   const MeshEdges& edges_;
   const RemeshOptions& options_;
   const std::function<void()>& release_edges_;
+  Runtime& runtime_;
   Executor& executor_;
   double area_ = 0;
   Sizing sizing_;
@@ -460,7 +483,7 @@ bool Remesh::has_input_topology() const {
 Remesh make_remesh(const Mesh& mesh, const MeshEdges& edges, const RemeshOptions& options,
                    Runtime& runtime, const std::function<void()>& release_edges) {
   check_options(mesh, options);
-  SurfaceSizer sizer(mesh, edges, options, release_edges, runtime.executor());
+  SurfaceSizer sizer(mesh, edges, options, release_edges, runtime);
   {
     const SizedSurface surface = sizer.run();
     const bool may_give_up = sizer.has_chosen_creases();

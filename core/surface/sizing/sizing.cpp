@@ -149,8 +149,10 @@ std::size_t expected_sites(double area, double spacing) {
 
 std::vector<double> wanted_lengths(const Mesh& mesh, const SizingOptions& options) {
   const int given = (options.edge_lengths.empty() ? 0 : 1) + (options.densities.empty() ? 0 : 1) +
-                    (options.adapt == 0 ? 0 : 1);
-  if (given > 1) throw InvalidInput("edge_lengths, densities and adapt: a remesh has one of them");
+                    (options.adapt == 0 ? 0 : 1) + (options.equal_error ? 1 : 0);
+  if (given > 1) {
+    throw InvalidInput("edge_lengths, densities, adapt and equal_error: a remesh has one of them");
+  }
   if (!(options.adapt >= 0 && options.adapt <= 2)) {
     throw InvalidInput("adapt: " + std::to_string(options.adapt) + ": it is from 0 to 2");
   }

@@ -96,6 +96,8 @@ double sum_in_order(const FineMesh& mesh, Executor& executor,
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+}  // namespace
+
 void find_whole(FineMesh& mesh, Executor& executor) {
   mesh.whole_area = sum_in_order(mesh, executor, &FineMesh::area);
   mesh.whole_sized_area = mesh.whole_area;
@@ -104,8 +106,6 @@ void find_whole(FineMesh& mesh, Executor& executor) {
   mesh.whole_sized_area = sum_in_order(mesh, executor, &FineMesh::sized_area);
   mesh.whole_mass = sum_in_order(mesh, executor, &FineMesh::mass);
 }
-
-}  // namespace
 
 void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges) {
   for (const auto& edge : edges) {

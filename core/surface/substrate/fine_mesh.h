@@ -103,6 +103,9 @@ struct FineMesh {
 /// edges with two triangles are open.
 void connect(FineMesh& mesh, Executor& executor = sequential());
 
+/// What follows from another inverse sizing: the sums over all triangles.
+void find_whole(FineMesh& mesh, Executor& executor = sequential());
+
 /// Closes edges (ascending within), such as those of features: the free sites beyond them have no
 /// share of the triangles before them. `across_open` leaves them out from then on.
 void close_edges(FineMesh& mesh, std::span<const std::array<VertexId, 2>> edges);

@@ -7,6 +7,7 @@
 #include "core/base/bucketing.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/sorting.h"
+#include "core/mesh/closest_on_triangle.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/spatial_order.h"
 #include "core/seams/cut_apart.h"
@@ -227,6 +228,20 @@ std::vector<TrianglePair> triangles_at_features(const SurfaceInput& input) {
   return pairs;
 }
 
+// Whether one is to be split, for all that is known.
+bool has_long_edges(const FineMesh& fine, std::span<const double> sizes, double longest) {
+  if (!fine.metric.empty()) return true;
+  return std::any_of(fine.triangles.begin(), fine.triangles.end(), [&](const Triangle& t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const VertexId a = t[c];
+      const VertexId b = t[(c + 1) % 3];
+      const double length = norm(fine.positions[a] - fine.positions[b]);
+      if (!(length <= longest * std::min(sizes[a], sizes[b]))) return true;
+    }
+    return false;
+  });
+}
+
 }  // namespace
 
 SurfaceFrame frame_of(const Mesh& mesh, Executor& executor) {
@@ -274,8 +289,30 @@ SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& opt
   return input;
 }
 
+std::vector<double> at_fine_vertices(const Mesh& mesh, const SurfaceInput& input,
+                                     std::span<const double> values, Executor& executor) {
+  const FineMesh& fine = input.fine;
+  std::vector<double> result(fine.vertex_count());
+  parallel_for(executor, result.size(), small_items, [&](std::size_t v) {
+    const TriangleId t = fine.triangles_at(static_cast<VertexId>(v)).front();
+    const auto& [a, b, c] = mesh.triangles[input.origin[t]];
+    const auto away = [&](VertexId corner) {
+      return Vec3(input.frame.to_unit(mesh.positions[corner]) - fine.positions[v]);
+    };
+    const auto [of_b, of_c] = barycentric_closest_to_origin({away(a), away(b), away(c)});
+    result[v] = (1 - of_b - of_c) * values[a] + of_b * values[b] + of_c * values[c];
+  });
+  return result;
+}
+
 SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, SurfaceInputOptions options,
                         Executor& executor) {
+  if (!has_long_edges(input.fine, sizes, options.longest_edge * input.frame.scale)) {
+    for (double& size : sizes) size = 1 / size;
+    input.fine.inverse_sizing = std::move(sizes);
+    find_whole(input.fine, executor);
+    return input;
+  }
   // Pieces know the triangle of `input` they are of, so that edges along features are found again.
   const std::vector<TrianglePair> features = triangles_at_features(input);
   options.features = features;

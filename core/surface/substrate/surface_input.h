@@ -62,6 +62,12 @@ std::vector<std::int64_t> euler_characteristics(const SurfaceInput& input);
 SurfaceInput make_surface_input(const Mesh& mesh, const SurfaceInputOptions& options,
                                 Executor& executor = sequential());
 
+/// Values per vertex of the mesh that `input` was made of, at vertices of `input.fine`: linear
+/// within triangles.
+std::vector<double> at_fine_vertices(const Mesh& mesh, const SurfaceInput& input,
+                                     std::span<const double> values,
+                                     Executor& executor = sequential());
+
 /// The same surface with other sizes, per vertex of `input.fine`, and its edges split that are long
 /// for them. `options` are those that it was made with.
 SurfaceInput with_sizes(SurfaceInput input, std::vector<double> sizes, SurfaceInputOptions options,

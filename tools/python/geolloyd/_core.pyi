@@ -15,7 +15,7 @@ class Tessellated:
 
 def remesh(
     vertices: _Numbers, faces: _Ids, *, count: int, edge_length: float, tolerance: float,
-    lengths: Optional[_Numbers], densities: Optional[_Numbers], adapt: float, growth: float,
+    lengths: Optional[_Numbers], densities: Optional[_Numbers], adapt: float, equal_error: bool, growth: float,
     field: Optional[_Numbers], by_curvature: bool, creases: str, crease_angle: float, small_features: bool,
     feature_edges: Optional[_Ids], groups: Optional[_Ids], fixed: Optional[_Ids], fit: bool,
     progress: Optional[Callable[..., Any]], threads: int,

@@ -15,7 +15,7 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
            field: Union[str, ArrayLike, None] = None, features: Union[str, float] = "auto",
            small_features: bool = True,
            feature_edges: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None,
-           density: Optional[ArrayLike] = None, adapt: float = 0, growth: float = 1.12,
+           density: Optional[ArrayLike] = None, adapt: float = 0, equal_error: bool = False, growth: float = 1.12,
            fixed: Optional[ArrayLike] = None, fit: bool = True,
            progress: Optional[Callable[[RemeshProgress], Any]] = None, threads: int = 0) -> Remesh:
     """The most regular remesh: its vertices move freely over the surface, and it keeps the surface's topology.
@@ -36,6 +36,7 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
     labels : (m,) whole numbers: borders between them are kept
     density : (n,) numbers above 0: lengths of edges are proportional to density^(-1/4)
     adapt : 0 to 2: lengths of edges are proportional to curvature^(-adapt/2)
+    equal_error : lengths of edges by which the distance to the input is about the same everywhere
     growth : maximum ratio of the lengths of adjacent edges, where lengths vary
     fixed : (k,) ids of vertices to keep where they are
     fit : move vertices off the surface in the end, where that brings the faces closer
@@ -65,7 +66,7 @@ def remesh(vertices: Any, faces: Optional[ArrayLike] = None, count: Optional[int
         edge_length=0 if edge_length is None else _arrays.positive("edge_length", edge_length),
         tolerance=0 if tolerance is None else _arrays.positive("tolerance", tolerance), lengths=lengths,
         densities=None if density is None else _arrays.numbers("density", density, None),
-        adapt=_arrays.number("adapt", adapt), growth=_arrays.number("growth", growth),
+        adapt=_arrays.number("adapt", adapt), equal_error=bool(equal_error), growth=_arrays.number("growth", growth),
         field=None if field is None or by_curvature else _arrays.numbers("field", field, None, 8),
         by_curvature=by_curvature, creases="angle" if is_angle else features,
         crease_angle=_arrays.number("features", features) if is_angle else 40,

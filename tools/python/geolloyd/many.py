@@ -24,7 +24,7 @@ Path = Union[str, "os.PathLike[str]"]
 Row = Dict[str, Any]
 
 # What remesh() takes that belongs to no mesh alone.
-_OPTIONS = {"count", "edge_length", "tolerance", "field", "features", "adapt", "growth", "fit"}
+_OPTIONS = {"count", "edge_length", "tolerance", "field", "features", "adapt", "equal_error", "growth", "fit"}
 _UNDER_WAY = 256  # tasks that an executor has at a time: enough for its workers, little to keep
 
 
@@ -58,7 +58,7 @@ def remesh_many(inputs: Union[Path, Iterable[Path]], output_folder: Path, *, exe
     format : of the remeshes: the extension
     threads : of each mesh
     progress : is called with a ManyProgress after each mesh
-    options : count, edge_length, tolerance, field ("curvature"), features, adapt, growth, fit: as remesh() has them
+    options : count, edge_length, tolerance, field ("curvature"), features, adapt, equal_error, growth, fit: as remesh() has them
 
     Returns
     -------
