@@ -54,7 +54,7 @@ TEST(EqualError, KeepsLengthsWithinLimits) {
   }
 }
 
-Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool equal_error) {
+Remesh remesh_with(const Mesh& mesh, std::size_t vertices, bool equal_error) {
   RemeshOptions options;
   options.vertex_count = vertices;
   options.sizing.equal_error = equal_error;
@@ -63,9 +63,9 @@ Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool equal_error) {
 
 TEST(EqualError, OfASphereAndATorusIsEven) {
   for (const Mesh& mesh : {icosphere(8000), torus(8000, 1)}) {
-    const Remesh made = remesh_of(mesh, 300, true);
+    const Remesh made = remesh_with(mesh, 300, true);
     EXPECT_TRUE(made.edge_lengths.empty());
-    EXPECT_EQ(made.fingerprint, remesh_of(mesh, 300, false).fingerprint);
+    EXPECT_EQ(made.fingerprint, remesh_with(mesh, 300, false).fingerprint);
   }
 }
 
@@ -95,7 +95,7 @@ double largest_distance(const Mesh& mesh, const Mesh& remesh) {
 
 TEST(EqualError, OfASpikeHasShortEdgesThereAndIsCloser) {
   const Mesh mesh = sphere_with_a_spike();
-  const Remesh made = remesh_of(mesh, 400, true);
+  const Remesh made = remesh_with(mesh, 400, true);
   EXPECT_TRUE(made.has_input_topology());
   EXPECT_EQ(made.mesh.vertex_count(), 400U);
   double at_spike = 0;
@@ -108,7 +108,7 @@ TEST(EqualError, OfASpikeHasShortEdgesThereAndIsCloser) {
   ASSERT_GT(at_spike, 0);
   EXPECT_LT(at_spike, 0.6 * elsewhere);
   EXPECT_LT(largest_distance(mesh, made.mesh),
-            0.7 * largest_distance(mesh, remesh_of(mesh, 400, false).mesh));
+            0.7 * largest_distance(mesh, remesh_with(mesh, 400, false).mesh));
 }
 
 }  // namespace

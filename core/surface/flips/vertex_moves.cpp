@@ -23,8 +23,7 @@ class VertexMover {
   VertexMoves run(const std::function<bool()>& keep_going) {
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round) {
-      try_all();
-      if (!pair_best() || (keep_going && !keep_going())) break;
+      if (!try_all(keep_going) || !pair_best()) break;
     }
     sort_and_deduplicate(moves_.moved);
     sort_and_deduplicate(moves_.changed);
@@ -32,10 +31,16 @@ class VertexMover {
   }
 
  private:
-  void try_all() {
-    parallel_for(executor_, is_changed_.size(), 1,
-                 [&](std::size_t v) { try_at(static_cast<VertexId>(v)); });
+  // False where it was told to stop.
+  bool try_all(const std::function<bool()>& keep_going) {
+    constexpr std::size_t batch = 4096;
+    for (std::size_t begin = 0; begin < is_changed_.size(); begin += batch) {
+      if (keep_going && !keep_going()) return false;
+      parallel_for(executor_, std::min(batch, is_changed_.size() - begin), 1,
+                   [&](std::size_t i) { try_at(static_cast<VertexId>(begin + i)); });
+    }
     is_changed_.assign(is_changed_.size(), 0);
+    return true;
   }
 
   // Anew where the patch has changed.
