@@ -16,12 +16,12 @@ namespace geolloyd {
 /// one is missing (vertex_moves.h), wherever that pays (glide_trial.h). The first `held`
 /// vertices stay, and so do edges of `kept` (each ascending; ascending) and the topology. Nothing
 /// changes about vertices that are `barred` (per vertex, not 0). `labels` tell the vertex of the
-/// remesh that each vertex of `input.fine` belongs to; those about vertices that move change. Returns
-/// how many paths were taken and vertices moved.
+/// remesh that each vertex of `input.fine` belongs to; those about vertices that move change.
+/// Returns how many paths were taken and vertices moved.
 ///
-/// The result of glides is that of one vertex after the other, on any number of threads. Some are tried at
-/// once; one is tried anew where an earlier one has changed what it saw. Where `keep_going` says
-/// no, none are tried any more.
+/// The result of glides is that of one vertex after the other, on any number of threads. Some are
+/// tried at once; one is tried anew where an earlier one has changed what it saw. Where
+/// `keep_going` says no, none are tried any more.
 std::size_t glide_irregular(const SurfaceInput& input, std::vector<RegionId>& labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
                             std::span<const std::uint8_t> barred, Mesh& remesh,
