@@ -59,7 +59,8 @@ void add_fineness_options(CLI::App& command, RemeshRequest& request) {
             request.tolerance = *value;
           },
           "Largest distance to the input, such as 0.1, or 0.5% of the\n"
-          "bounding box's diagonal: searches the fewest vertices for it")
+          "bounding box's diagonal: searches the fewest vertices for it,\n"
+          "by --equal-error unless other sizes are given")
       ->type_name("DISTANCE");
 }
 
@@ -126,6 +127,13 @@ void add_adapt_options(CLI::App& command, RemeshRequest& request) {
       ->type_name("FACTOR")
       ->default_str("1.12")
       ->group(sizing_group);
+}
+
+// Of equal distances are the fewest vertices.
+void choose_sizing(RemeshRequest& request) {
+  const bool is_free = request.lengths_file.empty() && request.densities_file.empty() &&
+                       request.field.vfield.empty() && !(request.options.sizing.adapt > 0);
+  if (request.tolerance > 0 && is_free) request.options.sizing.equal_error = true;
 }
 
 void check_fineness(const RemeshRequest& request) {
@@ -209,6 +217,7 @@ std::string name_of_creases(const FeatureOptions& features) {
 void check_remesh(RemeshArguments& arguments) {
   RemeshRequest& request = arguments.request;
   check_fineness(request);
+  choose_sizing(request);
   check_has_magnitudes(request.field);
   check_repair(arguments.repair, option_that_names_vertices(arguments));
   request.repair = arguments.repair.wanted();

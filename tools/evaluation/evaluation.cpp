@@ -55,6 +55,10 @@ ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions 
     throw InvalidInput("tolerance: give no number of vertices and no edge length beside it");
   }
   options.field = checked_field(options.field, mesh.vertex_count());
+  SizingOptions& sizing = options.sizing;
+  const bool is_free = sizing.edge_lengths.empty() && sizing.densities.empty() &&
+                       options.field.empty() && !(sizing.adapt > 0);
+  if (is_free) sizing.equal_error = true;
   const MeshEdges edges = find_edges(mesh, runtime.executor());
   ToleranceSearch found = search_within(tolerance, {mesh, edges, std::move(options), runtime});
   return {std::move(found.best.remesh), std::move(found.trials)};

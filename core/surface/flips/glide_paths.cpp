@@ -110,7 +110,8 @@ void add_with_paths(GlidePatch after, int sum, const std::vector<VertexId>& abou
     changes.push_back(change);
     return;
   }
-  for (FlipPath& path : PathSearch(std::move(after), limits).run(about, sum)) {
+  PathSearch search(std::move(after), limits);
+  for (FlipPath& path : search.run(about, sum)) {
     changes.push_back(change);
     changes.back().flips = std::move(path);
   }
@@ -160,10 +161,9 @@ constexpr std::size_t most_changes = 8;
 std::vector<PatchChange> find_glide_paths(GlidePatch patch) {
   constexpr PathLimits limits = {.longest = 6, .most_found = 24};
   constexpr std::size_t most_kept = 4;
+  PathSearch search(std::move(patch), limits);
   std::vector<PatchChange> changes;
-  for (FlipPath& path : PathSearch(std::move(patch), limits).run({0}, 0)) {
-    changes.emplace_back().flips = std::move(path);
-  }
+  for (FlipPath& path : search.run({0}, 0)) changes.emplace_back().flips = std::move(path);
   return shortest(std::move(changes), most_kept);
 }
 
