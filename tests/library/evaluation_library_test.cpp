@@ -10,6 +10,7 @@
 
 #include "core/shapes/shapes.h"
 #include "core/text/file_io.h"
+#include "tests/support/spiked_sphere.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geolloyd {
@@ -77,6 +78,14 @@ TEST(EvaluationLibrary, ARemeshWithinAToleranceHasFewVertices) {
   const ToleranceRemesh stopped = remesh_within(sphere, 1e-9, stopping);
   EXPECT_TRUE(stopped.remesh.interrupted);
   EXPECT_EQ(stopped.trials.size(), 1U);
+}
+
+TEST(EvaluationLibrary, ARemeshWithinAToleranceHasShortEdgesWhereTheyAreNeeded) {
+  const Mesh mesh = spiked_sphere();
+  RemeshOptions even;
+  even.sizing.densities.assign(mesh.vertex_count(), 1);
+  const std::size_t fewest = remesh_within(mesh, 0.02, {}).remesh.mesh.vertex_count();
+  EXPECT_LT(2 * fewest, remesh_within(mesh, 0.02, even).remesh.mesh.vertex_count());
 }
 
 TEST(EvaluationLibrary, RefusesWhatMakesNoSense) {

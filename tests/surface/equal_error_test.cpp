@@ -10,6 +10,7 @@
 #include "core/shapes/shapes.h"
 #include "geolloyd/remesh.h"
 #include "geolloyd/runtime.h"
+#include "tests/support/spiked_sphere.h"
 
 namespace geolloyd {
 namespace {
@@ -69,15 +70,6 @@ TEST(EqualError, OfASphereAndATorusIsEven) {
   }
 }
 
-Mesh sphere_with_a_spike() {
-  Mesh mesh = icosphere(20'000);
-  for (Vec3& p : mesh.positions) {
-    const double away = 1 + 40 * (1 - p.z());
-    p *= 1 + 0.5 / (away * away);
-  }
-  return mesh;
-}
-
 double largest_distance(const Mesh& mesh, const Mesh& remesh) {
   double largest = 0;
   for (const Vec3& p : mesh.positions) {
@@ -94,7 +86,7 @@ double largest_distance(const Mesh& mesh, const Mesh& remesh) {
 }
 
 TEST(EqualError, OfASpikeHasShortEdgesThereAndIsCloser) {
-  const Mesh mesh = sphere_with_a_spike();
+  const Mesh mesh = spiked_sphere();
   const Remesh made = remesh_with(mesh, 400, true);
   EXPECT_TRUE(made.has_input_topology());
   EXPECT_EQ(made.mesh.vertex_count(), 400U);

@@ -70,8 +70,9 @@ struct ToleranceRemesh {
 
 /// As remesh(), with as few vertices as keep the largest distance within `tolerance`, mesh
 /// units: some with fewer were tried and are too far. `options` name no vertex count and
-/// no edge length; where they ask for no sizes and have no field, sizes are those of equal error. Where the progress callback ends the work, the best one so far, or the last
-/// one. Throws InvalidInput also where many vertices are not enough.
+/// no edge length; where they ask for no sizes and have no field, sizes are those of equal error.
+/// Where the progress callback ends the work, the best one so far, or the last one. Throws
+/// InvalidInput also where many vertices are not enough.
 ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,
                               Runtime& runtime = all_threads());
 
