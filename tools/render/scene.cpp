@@ -83,7 +83,8 @@ class Normals {
     if (of_set_.empty()) return of_triangle_[hit.triangle];
     const std::array<double, 3> weight = {1.0 - hit.u - hit.v, hit.u, hit.v};
     Vec3 sum(0, 0, 0);
-    for (std::size_t c = 0; c < 3; ++c) sum += weight[c] * of_set_[set_[3 * hit.triangle + c]];
+    for (std::size_t c = 0; c < 3; ++c)
+      sum += weight[c] * of_set_[set_[std::size_t{3} * hit.triangle + c]];
     return normalized(sum);
   }
 

@@ -132,20 +132,20 @@ bool GlidePatch::can_collapse(FlippableTriangles::Side side) const {
 }
 
 void GlidePatch::collapse(FlippableTriangles::Side side) {
-  const auto [a, b, c, d] = triangles_.quad_of(side);
+  const FlippableTriangles::Quad quad = triangles_.quad_of(side);
   std::vector<FlippableTriangles::Replacement> replacements;
   std::array<TriangleId, 2> gone = {side.triangle, triangles_.across(side)};
-  triangles_.visit_around(c, [&](TriangleId t) {
+  triangles_.visit_around(quad.c, [&](TriangleId t) {
     Triangle corners = triangles_[t];
-    std::replace(corners.begin(), corners.end(), c, b);
+    std::replace(corners.begin(), corners.end(), quad.c, quad.b);
     const bool is_gone = t == gone[0] || t == gone[1];
     replacements.push_back({t, is_gone ? FlippableTriangles::none : corners});
     if (is_gone) return;
     for (const TriangleId from : gone) heirs_.push_back({from, t});
   });
   triangles_.replace(replacements);
-  position_[b] = 0.5 * (position_[b] + position_[c]);
-  for (const VertexId v : {a, b, c, d}) count_anew(v);
+  position_[quad.b] = 0.5 * (position_[quad.b] + position_[quad.c]);
+  for (const VertexId v : {quad.a, quad.b, quad.c, quad.d}) count_anew(v);
 }
 
 // The neighbours of a vertex inside, in their order around it; none where triangles have no common
@@ -195,7 +195,7 @@ std::array<int, 2> GlidePatch::neighbours_split(const Split& split) const {
 
 void GlidePatch::split(const Split& split) {
   constexpr double share = 0.35;  // of the way to the middle of its own neighbours
-  const auto [v, a, d] = split;
+  const VertexId v = split.vertex;
   const std::vector<VertexId> arc = arc_of(split);
   const auto added = static_cast<VertexId>(vertex_.size());
   std::vector<FlippableTriangles::Replacement> replacements;
@@ -209,8 +209,8 @@ void GlidePatch::split(const Split& split) {
     replacements.push_back({t, corners});
   });
   const auto next = static_cast<TriangleId>(triangle_.size());
-  replacements.push_back({next, {v, a, added}});
-  replacements.push_back({next + 1, {v, added, d}});
+  replacements.push_back({next, {v, split.a, added}});
+  replacements.push_back({next + 1, {v, added, split.d}});
   Vec3 middle = Vec3::Zero();
   for (const VertexId w : arc) middle += position_[w] / static_cast<double>(arc.size());
   vertex_.push_back(static_cast<VertexId>(remesh_->positions.size()));
@@ -220,9 +220,10 @@ void GlidePatch::split(const Split& split) {
   is_inside_.push_back(1);
   excess_.push_back(0);
   area_.push_back(area_[v]);
-  position_.push_back(position_[v] + share * (middle - position_[v]));
+  const Vec3 place = position_[v] + share * (middle - position_[v]);
+  position_.push_back(place);
   triangles_.replace(replacements);
-  for (const VertexId w : {v, a, d, added}) count_anew(w);
+  for (const VertexId w : {v, split.a, split.d, added}) count_anew(w);
 }
 
 void GlidePatch::count_anew(VertexId v) {
