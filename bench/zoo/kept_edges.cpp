@@ -126,7 +126,7 @@ void KeptEdges::count_on_rims(const Mesh& remesh) {
     double length = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) length += norm(rim[(i + 1) % rim.size()] - rim[i]);
     if (length < spacing_) continue;
-    const double near = std::min(near_, length / 60);
+    const double near = length / 60;  // so far off a circle are six edges that are closest to it
     std::size_t count = 0;
     for (const Vec3& p : remesh.positions) {
       bool is_near = false;

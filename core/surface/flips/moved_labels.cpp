@@ -33,6 +33,7 @@ class Relabeller {
     for (std::size_t left = open.size() + 1; open.size() < left;) {
       left = open.size();
       std::vector<std::pair<VertexId, RegionId>> found;
+      found.reserve(open.size());
       for (const VertexId p : open) found.emplace_back(p, label_next_to(p));
       for (const auto& [p, label] : found) labels_[p] = label;
       std::erase_if(open, [&](VertexId p) { return labels_[p] != no_id; });
