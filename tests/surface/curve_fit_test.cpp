@@ -14,17 +14,11 @@
 #include "core/surface/result/site_places.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/odd_surfaces.h"
+#include "tests/support/remesh_with_fit.h"
 #include "tests/support/sharp_solids.h"
 
 namespace geolloyd {
 namespace {
-
-Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
-  RemeshOptions options;
-  options.vertex_count = vertices;
-  options.fit = fit;
-  return remesh(mesh, options, reference_runtime());
-}
 
 using Segments = std::vector<std::array<Vec3, 2>>;
 
@@ -75,8 +69,8 @@ Distances distances_of_rims(const Remesh& remesh) {
 TEST(CurveFit, BringsEdgesCloserToCircles) {
   const Mesh prism = sharp_prism(200);
   for (const std::size_t vertices : {60U, 300U}) {
-    const Distances before = distances_of_rims(remesh_of(prism, vertices, false));
-    const Distances after = distances_of_rims(remesh_of(prism, vertices, true));
+    const Distances before = distances_of_rims(remesh_with_fit(prism, vertices, false));
+    const Distances after = distances_of_rims(remesh_with_fit(prism, vertices, true));
     EXPECT_GT(before.mean, 0);
     EXPECT_LT(after.mean, 0.45 * before.mean) << vertices;
     EXPECT_LT(after.largest, 0.75 * before.largest) << vertices;
@@ -86,7 +80,7 @@ TEST(CurveFit, BringsEdgesCloserToCircles) {
 // Of eight chords or so, too.
 TEST(CurveFit, KeepsTheAreaOfSmallLoops) {
   for (const std::size_t vertices : {40U, 60U, 200U}) {
-    const Remesh fitted = remesh_of(sharp_prism(200), vertices, true);
+    const Remesh fitted = remesh_with_fit(sharp_prism(200), vertices, true);
     double area = 0;
     for (const auto& [a, b] : feature_segments(fitted)) {
       area += norm(cross({a.x(), a.y(), 0}, {b.x(), b.y(), 0})) / 4;  // there are two rims
@@ -97,7 +91,7 @@ TEST(CurveFit, KeepsTheAreaOfSmallLoops) {
 
 // The circle stays in the planes of the caps.
 TEST(CurveFit, LeavesPlanesFlat) {
-  const Remesh fitted = remesh_of(sharp_prism(200), 300, true);
+  const Remesh fitted = remesh_with_fit(sharp_prism(200), 300, true);
   for (const auto& [a, b] : fitted.feature_edges) {
     EXPECT_NEAR(std::abs(fitted.mesh.positions[a].z()), 1, 1e-12);
   }
@@ -105,8 +99,8 @@ TEST(CurveFit, LeavesPlanesFlat) {
 
 TEST(CurveFit, MovesNothingOnStraightCurves) {
   for (const Mesh& mesh : {cube(192), sharp_wedge(60), flat_box(0.1)}) {
-    const Remesh free = remesh_of(mesh, 200, false);
-    const Remesh fitted = remesh_of(mesh, 200, true);
+    const Remesh free = remesh_with_fit(mesh, 200, false);
+    const Remesh fitted = remesh_with_fit(mesh, 200, true);
     EXPECT_GT(fitted.curve_vertices, 0U);
     for (std::size_t v = 0; v < free.curve_vertices; ++v) {
       EXPECT_EQ(free.mesh.positions[v], fitted.mesh.positions[v]);
@@ -141,8 +135,8 @@ double distance_of_graph(const Mesh& remesh, double (*height)(double)) {
 TEST(CurveFit, PutsAVertexWhereACurveBends) {
   constexpr auto height = [](double x) { return 0.6 + 0.36 * std::min(x, 0.475); };
   const Mesh plate = plate_under(height);
-  const double before = distance_of_graph(remesh_of(plate, 100, false).mesh, height);
-  const double after = distance_of_graph(remesh_of(plate, 100, true).mesh, height);
+  const double before = distance_of_graph(remesh_with_fit(plate, 100, false).mesh, height);
+  const double after = distance_of_graph(remesh_with_fit(plate, 100, true).mesh, height);
   EXPECT_GT(before, 1e-3);
   EXPECT_LT(after, 0.2 * before);
 }
@@ -153,8 +147,8 @@ TEST(CurveFit, LeavesNoPointOfACurveFarther) {
   for (const auto height : {+wave, +jag}) {
     const Mesh plate = plate_under(height);
     for (const std::size_t vertices : {40U, 100U, 400U}) {
-      const double before = distance_of_graph(remesh_of(plate, vertices, false).mesh, height);
-      const double after = distance_of_graph(remesh_of(plate, vertices, true).mesh, height);
+      const double before = distance_of_graph(remesh_with_fit(plate, vertices, false).mesh, height);
+      const double after = distance_of_graph(remesh_with_fit(plate, vertices, true).mesh, height);
       EXPECT_LT(after, 1.02 * before) << vertices;
     }
   }
@@ -162,7 +156,7 @@ TEST(CurveFit, LeavesNoPointOfACurveFarther) {
 
 TEST(CurveFit, HoldsCorners) {
   constexpr auto height = [](double x) { return 0.8 - 0.3 * x * x; };
-  const Remesh fitted = remesh_of(plate_under(height), 100, true);
+  const Remesh fitted = remesh_with_fit(plate_under(height), 100, true);
   for (const Vec3& corner :
        {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, height(0), 0), Vec3(1, height(1), 0)}) {
     EXPECT_EQ(std::count(fitted.mesh.positions.begin(), fitted.mesh.positions.end(), corner), 1);
@@ -172,7 +166,7 @@ TEST(CurveFit, HoldsCorners) {
 // They stand for points of the curve, though they are beside it.
 TEST(CurveFit, PlacesAreOnCurves) {
   const Mesh prism = sharp_prism(50);
-  const Remesh fitted = remesh_of(prism, 100, true);
+  const Remesh fitted = remesh_with_fit(prism, 100, true);
   double farthest = 0;
   for (const auto& edge : fitted.feature_edges) {
     for (const VertexId v : edge) {

@@ -13,18 +13,12 @@
 #include "core/shapes/shapes.h"
 #include "geolloyd/remesh.h"
 #include "tests/support/odd_surfaces.h"
+#include "tests/support/remesh_with_fit.h"
 #include "tests/support/shared_meshes.h"
 #include "tests/support/surface.h"
 
 namespace geolloyd {
 namespace {
-
-Remesh remesh_of(const Mesh& mesh, std::size_t vertices, bool fit) {
-  RemeshOptions options;
-  options.vertex_count = vertices;
-  options.fit = fit;
-  return remesh(mesh, options, reference_runtime());
-}
 
 double volume_of(const Mesh& mesh) {
   double volume = 0;
@@ -48,8 +42,8 @@ TEST(SurfaceFit, OfASphereHasItsVolume) {
   const Mesh sphere = icosphere(2000);
   const double volume = volume_of(sphere);
   for (const std::size_t vertices : {50U, 200U}) {
-    const double missing = volume - volume_of(remesh_of(sphere, vertices, false).mesh);
-    const double left = volume - volume_of(remesh_of(sphere, vertices, true).mesh);
+    const double missing = volume - volume_of(remesh_with_fit(sphere, vertices, false).mesh);
+    const double left = volume - volume_of(remesh_with_fit(sphere, vertices, true).mesh);
     EXPECT_GT(missing, 0);
     EXPECT_LT(std::abs(left), 0.15 * missing) << vertices;
   }
@@ -57,7 +51,7 @@ TEST(SurfaceFit, OfASphereHasItsVolume) {
 
 // Nearly all vertices are outside. A chord of a sphere with an edge of h sinks by h^2/8.
 TEST(SurfaceFit, OfASphereMovesOutward) {
-  const Remesh remesh = remesh_of(icosphere(2000), 300, true);
+  const Remesh remesh = remesh_with_fit(icosphere(2000), 300, true);
   EXPECT_GT(remesh.vertices_fitted, 280U);
   const double spacing = std::sqrt(8 * std::numbers::pi / (std::sqrt(3.0) * 300));
   double mean = 0;
@@ -70,9 +64,9 @@ TEST(SurfaceFit, OfASphereMovesOutward) {
 }
 
 TEST(SurfaceFit, LeavesFlatFacesFlat) {
-  const Remesh plane = remesh_of(irregular_plane(2000, 1), 300, true);
+  const Remesh plane = remesh_with_fit(irregular_plane(2000, 1), 300, true);
   for (const Vec3& p : plane.mesh.positions) EXPECT_NEAR(p.z(), 0, 1e-12);
-  const Remesh box = remesh_of(cube(192), 300, true);
+  const Remesh box = remesh_with_fit(cube(192), 300, true);
   double area = 0;
   for (const double a : triangle_areas(box.mesh, {})) area += a;
   EXPECT_NEAR(area, 6, 1e-9);
@@ -81,8 +75,8 @@ TEST(SurfaceFit, LeavesFlatFacesFlat) {
 // Angles of 30 degrees are as good as larger ones where vertices get more regular by them.
 TEST(SurfaceFit, KeepsTopologyAnglesAndQuality) {
   for (const Mesh& mesh : {creature(1500, 1), scaled(icosphere(500), {1, 1, 0.05})}) {
-    const Remesh free = remesh_of(mesh, 200, false);
-    const Remesh fitted = remesh_of(mesh, 200, true);
+    const Remesh free = remesh_with_fit(mesh, 200, false);
+    const Remesh fitted = remesh_with_fit(mesh, 200, true);
     EXPECT_EQ(free.topology.parts, fitted.topology.parts);
     const MeshQuality before = measure_quality(free.mesh, find_edges(free.mesh));
     const MeshQuality after = measure_quality(fitted.mesh, find_edges(fitted.mesh));
@@ -97,7 +91,7 @@ TEST(SurfaceFit, KeepsTopologyAnglesAndQuality) {
 TEST(SurfaceFit, OfOneBadPlaceIsAFitElsewhere) {
   const Mesh mesh = thin_torus(0.05, 24);
   for (const std::size_t vertices : {400U, 600U}) {
-    const Remesh fitted = remesh_of(mesh, vertices, true);
+    const Remesh fitted = remesh_with_fit(mesh, vertices, true);
     EXPECT_LT(fitted.distance_after_fit, 0.8 * fitted.distance_before_fit) << vertices;
     EXPECT_GT(volume_of(fitted.mesh), 0.9 * volume_of(mesh)) << vertices;
   }
@@ -108,7 +102,7 @@ TEST(SurfaceFit, OfOneBadPlaceIsAFitElsewhere) {
 TEST(SurfaceFit, LeavesNoPointFarther) {
   for (const Mesh& mesh : {thin_torus(0.05, 24), flat_box(0.02), creature(3000, 1)}) {
     for (const std::size_t vertices : {100U, 300U}) {
-      Mesh moving = remesh_of(mesh, vertices, false).mesh;
+      Mesh moving = remesh_with_fit(mesh, vertices, false).mesh;
       const SurfaceInput input = surface_input_of(mesh, 0.1);
       std::vector<RegionId> labels;
       for (const Vec3& p : input.fine.positions) {
@@ -126,7 +120,7 @@ TEST(SurfaceFit, LeavesNoPointFarther) {
 TEST(SurfaceFit, StopsWhenItIsTold) {
   const Mesh mesh = creature(3000, 1);
   const SurfaceInput input = surface_input_of(mesh, 0.1);
-  const Mesh start = remesh_of(mesh, 100, false).mesh;
+  const Mesh start = remesh_with_fit(mesh, 100, false).mesh;
   std::vector<RegionId> labels;
   for (const Vec3& p : input.fine.positions) {
     labels.push_back(nearest_vertex(start, input.frame.to_mesh(p)));
@@ -155,7 +149,8 @@ TEST(SurfaceFit, KeepsTheVolumeOfHardMeshes) {
   if (fertility.triangles.empty() || knot.triangles.empty()) GTEST_SKIP() << "no shared meshes";
   const auto expect = [&](const Mesh& mesh, std::size_t vertices) {
     const double volume = volume_of(mesh);
-    EXPECT_NEAR(volume_of(remesh_of(mesh, vertices, true).mesh), volume, most * std::abs(volume))
+    EXPECT_NEAR(volume_of(remesh_with_fit(mesh, vertices, true).mesh), volume,
+                most * std::abs(volume))
         << vertices;
   };
   for (const std::size_t vertices : {300U, 500U, 700U}) expect(fertility, vertices);

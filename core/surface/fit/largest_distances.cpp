@@ -43,15 +43,7 @@ std::vector<double> largest_distances(const SurfaceInput& input, std::span<const
   const VertexSamples samples(input.fine, labels, always, per_vertex * remesh.vertex_count());
   SampleProjection projection(samples, in_unit_frame, executor);
   projection.project();
-  std::vector<double> largest(remesh.vertex_count(), 0);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const TriangleId t = projection.triangles()[i];
-    if (t == no_id) continue;
-    for (const VertexId v : remesh.triangles[t]) {
-      largest[v] = std::max(largest[v], projection.distance(i));
-    }
-  }
-  return largest;
+  return projection.largest_at_vertices();
 }
 
 }  // namespace geolloyd

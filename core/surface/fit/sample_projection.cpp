@@ -72,6 +72,17 @@ Foot SampleProjection::foot_of(std::size_t i) const {
   return best;
 }
 
+std::vector<double> SampleProjection::largest_at_vertices() const {
+  std::vector<double> largest(remesh_.vertex_count(), 0);
+  for (std::size_t i = 0; i < triangle_.size(); ++i) {
+    if (triangle_[i] == no_id) continue;
+    for (const VertexId v : remesh_.triangles[triangle_[i]]) {
+      largest[v] = std::max(largest[v], distance(i));
+    }
+  }
+  return largest;
+}
+
 Foot SampleProjection::foot_on(TriangleId t, const Vec3& point) const {
   const auto& [ia, ib, ic] = remesh_.triangles[t];
   const Vec3& a = remesh_.positions[ia];

@@ -41,6 +41,9 @@ class SampleProjection {
     return std::sqrt(square_distance_[sample]);
   }
 
+  /// Per vertex of the remesh: of the samples on its triangles.
+  [[nodiscard]] std::vector<double> largest_at_vertices() const;
+
   [[nodiscard]] Foot foot_on(TriangleId t, const Vec3& point) const;
 
  private:

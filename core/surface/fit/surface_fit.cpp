@@ -63,7 +63,7 @@ class Fitter {
     for (std::size_t v = 0; v < remesh_.vertex_count(); ++v) {
       result.moved += remesh_.positions[v] != remesh_.start[v] ? 1 : 0;
     }
-    result.far_at = largest_at_vertices();
+    result.far_at = projection_.largest_at_vertices();
     return result;
   }
 
@@ -71,18 +71,6 @@ class Fitter {
 
  private:
   [[nodiscard]] bool goes_on() const { return !effort_.keep_going || effort_.keep_going(); }
-
-  [[nodiscard]] std::vector<double> largest_at_vertices() const {
-    std::vector<double> largest(remesh_.vertex_count(), 0);
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const TriangleId t = projection_.triangles()[i];
-      if (t == no_id) continue;
-      for (const VertexId v : remesh_.triangles[t]) {
-        largest[v] = std::max(largest[v], projection_.distance(i));
-      }
-    }
-    return largest;
-  }
 
   // From the start, where samples are projected. `price` of strain.
   FitError fit(double price, double largest_allowed) {
