@@ -59,8 +59,9 @@ std::string describe_moves(const Remesh& remesh) {
     text += first == last ? fmt::format(", {} sites", grouped(last))
                           : fmt::format(", from {} to {} sites", grouped(first), grouped(last));
   }
-  return text + fmt::format("\n  {:<12}{:.8g}, {:.5g} of a regular hexagonal tiling\n", "energy",
-                            remesh.energy, remesh.energy / remesh.energy_of_hexagonal_tiling);
+  return text + fmt::format("\n  {:<12}{:.8g}, {:.5g} of a regular hexagonal tiling{}\n", "energy",
+                            remesh.energy, remesh.energy / remesh.energy_of_hexagonal_tiling,
+                            remesh.vertices_fitted > 0 ? ", before the fit" : "");
 }
 
 // Of the input where it is a manifold, else of what it is cut apart into.
