@@ -45,7 +45,7 @@ parallel/surface
 parallel/library
 tools/include/geolloyd
 tools/words
-tools/evaluation/distances: closest_places embree_scene point_queries surface_distance
+tools/evaluation/distances: closest_places distance_bounds embree_scene point_queries surface_distance
 tools/evaluation: attribute_transfer ground_truth likeness metric_quality remesh_figures statistics tolerance_search
 tools/render: labels painters panel picture sheet surface_colours view
 tools/python

@@ -78,6 +78,27 @@ TEST_F(QualityProgram, WritesItsFiguresAsJson) {
   EXPECT_EQ(read_file(judged), first);
 }
 
+TEST_F(QualityProgram, CertifiesTheDistance) {
+  const fs::path coarse = folder_.path() / "coarse.obj";
+  ASSERT_EQ(geolloyd_with("generate torus -t 500 -o " + coarse.string()).status, 0);
+  const fs::path judged = folder_.path() / "quality.json";
+  const std::string options = "quality " + coarse.string() + " --original " + mesh_.string() +
+                              " --samples 2000 --certify -o " + judged.string();
+  const Outcome outcome = geolloyd_with(options);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.text.find("certified"), std::string::npos) << outcome.text;
+  const nlohmann::json likeness = json_in(judged)["likeness"];
+  for (const char* way : {"remesh_to_original", "original_to_remesh", "two_sided"}) {
+    const double lower = likeness[way]["hausdorff_lower"];
+    const double upper = likeness[way]["hausdorff_upper"];
+    EXPECT_LE(upper, 1.01 * lower);
+    EXPECT_LE(likeness[way]["hausdorff"], upper);
+  }
+  const std::string first = read_file(judged);
+  EXPECT_EQ(geolloyd_with(options + " --threads 3 --backend openmp").status, 0);
+  EXPECT_EQ(read_file(judged), first);
+}
+
 TEST_F(QualityProgram, JudgesAnyMesh) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\n";
   const fs::path judged = folder_.path() / "quality.json";
@@ -108,6 +129,7 @@ TEST_F(QualityProgram, AnswersWhatItCannotMeasureWithOneLine) {
   expect_complaint(geolloyd_with("quality " + write("none.obj", "")), "none.obj");
   expect_complaint(geolloyd_with("quality " + torus + " --original missing.ply"), "missing.ply");
   expect_complaint(geolloyd_with("quality " + torus + " --samples 0"), "--samples");
+  expect_complaint(geolloyd_with("quality " + torus + " --certify"), "--original");
   expect_complaint(geolloyd_with("quality " + torus + " -o " + torus), torus);
   expect_complaint(geolloyd_with("quality " + torus + " -o no/such/folder.json"), "no/such");
 }

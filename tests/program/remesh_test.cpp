@@ -316,6 +316,9 @@ TEST_F(Remeshing, StaysWithinATolerance) {
   const nlohmann::json report = report_of("--tolerance 6%");
   const double tolerance = 0.06 * report["input"]["bounding_diagonal"].get<double>();
   EXPECT_LE(report["input_to_remesh"]["hausdorff"].get<double>(), tolerance);
+  EXPECT_LE(report["certified"]["hausdorff_upper"], tolerance);
+  EXPECT_LE(report["certified"]["hausdorff_upper"].get<double>(),
+            report["certified"]["hausdorff_lower"].get<double>() + 0.01 * tolerance);
   ASSERT_GE(report["trials"].size(), 2U);
   const auto vertices = report["remesh"]["vertices"].get<std::size_t>();
   bool has_close_failure = false;

@@ -32,6 +32,9 @@ void run_quality(const QualityArguments& a, const Console& console) {
   if (input.original.empty() && !input.field.vfield.empty()) {
     throw InvalidInput("--vfield: of which mesh? Give --original MESH, too");
   }
+  if (input.original.empty() && input.certify) {
+    throw InvalidInput("--certify: the distance to which mesh? Give --original MESH, too");
+  }
   const FieldSource& field = input.field;
   check_has_magnitudes(field);
   if (!a.output.empty()) {
@@ -61,6 +64,8 @@ void add_quality_command(CLI::App& program, Console& console) {
                                    "Number of points on each mesh to measure distances from"),
                1, 1'000'000'000)
       ->capture_default_str();
+  command->add_flag("--certify", input.certify,
+                    "Find bounds of the Hausdorff distance, 1 % apart, too");
   command
       ->add_option("--vfield", input.field.vfield,
                    "Judge triangles, edges and energy in a metric of the original, too:\n"

@@ -1,5 +1,6 @@
 #include "geolloyd/evaluation.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/library/tessellated_graph.h"
@@ -7,6 +8,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
 #include "tools/evaluation/distances/closest_places.h"
+#include "tools/evaluation/distances/distance_bounds.h"
 #include "tools/evaluation/distances/surface_distance.h"
 #include "tools/evaluation/ground_truth.h"
 #include "tools/evaluation/tolerance_search.h"
@@ -41,6 +43,16 @@ SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::siz
   return measure_distance(runtime.executor(), first, second, samples);
 }
 
+SurfaceDistanceBounds certify_distance(const Mesh& first, const Mesh& second, double tolerance,
+                                       Runtime& runtime) {
+  validate(first);
+  validate(second);
+  if (!std::isfinite(tolerance) || tolerance < 0) {
+    throw InvalidInput("tolerance: give a distance of at least 0");
+  }
+  return certify_distance(runtime.executor(), first, second, tolerance);
+}
+
 std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec3>& points,
                                          Runtime& runtime) {
   validate(mesh);
@@ -61,7 +73,7 @@ ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions 
   if (is_free) sizing.equal_error = true;
   const MeshEdges edges = find_edges(mesh, runtime.executor());
   ToleranceSearch found = search_within(tolerance, {mesh, edges, std::move(options), runtime});
-  return {std::move(found.best.remesh), std::move(found.trials)};
+  return {std::move(found.best.remesh), found.bounds, std::move(found.trials)};
 }
 
 }  // namespace geolloyd

@@ -4,20 +4,20 @@
 #include <utility>
 
 #include "core/base/bounding_box.h"
-#include "tools/evaluation/distances/surface_distance.h"
+#include "tools/evaluation/distances/distance_bounds.h"
 #include "tools/evaluation/vertex_search.h"
 
 namespace geolloyd {
 namespace {
 
-// The largest distance of both ways. A remesh without triangles is as far as the mesh is large.
-double distance_between(const Mesh& mesh, const Mesh& remesh, Executor& executor) {
-  constexpr std::size_t samples = 200'000;
+// Of both ways. A remesh without triangles is as far as the mesh is large.
+DistanceBounds bounds_between(const Mesh& mesh, const Mesh& remesh, double tolerance,
+                              Executor& executor) {
   if (remesh.triangles.empty()) {
     const BoundingBox box = bounding_box(referenced_positions(mesh, executor));
-    return norm(box.extent());
+    return {norm(box.extent()), norm(box.extent())};
   }
-  return measure_distance(executor, mesh, remesh, samples).two_sided().largest;
+  return certify_distance(executor, mesh, remesh, tolerance).two_sided();
 }
 
 }  // namespace
@@ -25,20 +25,25 @@ double distance_between(const Mesh& mesh, const Mesh& remesh, Executor& executor
 ToleranceSearch search_within(double tolerance, RemeshCourse course) {
   const std::size_t most = std::max<std::size_t>(100'000, 4 * course.mesh.vertex_count());
   VertexSearch search(tolerance, most);
-  TimedRemesh best;
+  ToleranceSearch found;
   while (const auto vertices = search.next()) {
     course.options.vertex_count = *vertices;
     TimedRemesh made = run(course);
     if (course.hooks.stage) course.hooks.stage("measuring the remesh");
     const Mesh& remesh = made.remesh.mesh;
     const bool is_interrupted = made.remesh.interrupted;
-    const double distance = distance_between(course.mesh, remesh, course.runtime.executor());
-    if (search.add({remesh.vertex_count(), distance})) best = std::move(made);
+    const DistanceBounds bounds =
+        bounds_between(course.mesh, remesh, tolerance, course.runtime.executor());
+    if (search.add({remesh.vertex_count(), bounds.upper, bounds.lower})) {
+      found.best = std::move(made);
+      found.bounds = bounds;
+    }
     if (!is_interrupted) continue;
-    best.remesh.interrupted = true;
+    found.best.remesh.interrupted = true;
     break;
   }
-  return {std::move(best), search.trials()};
+  found.trials = search.trials();
+  return found;
 }
 
 }  // namespace geolloyd

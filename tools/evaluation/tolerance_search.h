@@ -9,7 +9,8 @@ namespace geolloyd {
 
 /// What a search for the fewest vertices found.
 struct ToleranceSearch {
-  TimedRemesh best;  ///< the fewest vertices whose distance was within the tolerance
+  TimedRemesh best;       ///< the fewest vertices whose distance was within the tolerance
+  DistanceBounds bounds;  ///< of its distance
   std::vector<ToleranceTrial> trials;
 };
 

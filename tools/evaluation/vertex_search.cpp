@@ -72,7 +72,9 @@ bool VertexSearch::add(const ToleranceTrial& trial) {
   tried_ = *next();
   trials_.push_back(trial);
   const bool is_within = trial.distance <= tolerance_;
-  const bool is_best = is_within || enough_ == 0;
+  // A remesh may have more vertices than it was asked for.
+  const bool is_best = fewest_ == 0 || (is_within && trial.vertices < fewest_);
+  if (is_within && is_best) fewest_ = trial.vertices;
   if (has_close_bounds()) {
     ++probes_;
     vain_probes_ = is_within ? 0 : vain_probes_ + 1;

@@ -35,21 +35,29 @@ py::dict judge(const NumberArray& vertices, const IdArray& faces) {
 
 py::dict distance(const NumberArray& first_vertices, const IdArray& first_faces,
                   const NumberArray& second_vertices, const IdArray& second_faces,
-                  std::size_t samples, std::size_t threads) {
+                  std::size_t samples, bool certify, std::size_t threads) {
   const Mesh first = mesh_of(first_vertices, first_faces);
   const Mesh second = mesh_of(second_vertices, second_faces);
   SurfaceDistance found;
+  SurfaceDistanceBounds bounds;
   {
     const py::gil_scoped_release working;
     Threads runtime(threads);
     const HeedInterrupts heed(runtime.executor());
     found = measure_distance(first, second, samples, runtime);
+    if (certify) bounds = certify_distance(first, second, 0, runtime);
   }
   py::dict words;
   words["samples"] = samples;
-  words["remesh_to_original"] = words_of(found.from_first);
-  words["original_to_remesh"] = words_of(found.from_second);
-  words["two_sided"] = words_of(found.two_sided());
+  const auto add = [&](const char* name, const DistanceFigures& figures,
+                       const DistanceBounds& interval) {
+    py::dict part = words_of(figures);
+    if (certify) part.attr("update")(words_of(interval));
+    words[name] = part;
+  };
+  add("remesh_to_original", found.from_first, bounds.from_first);
+  add("original_to_remesh", found.from_second, bounds.from_second);
+  add("two_sided", found.two_sided(), bounds.two_sided());
   return words;
 }
 
@@ -69,6 +77,11 @@ py::tuple closest(const NumberArray& vertices, const IdArray& faces, const Numbe
 }
 
 }  // namespace
+
+py::dict words_of(const DistanceBounds& bounds) {
+  return py::dict(py::arg("hausdorff_lower") = bounds.lower,
+                  py::arg("hausdorff_upper") = bounds.upper);
+}
 
 py::dict words_of(const MeshTopology& topology) {
   const PartTopology total = topology.total();
@@ -94,7 +107,7 @@ void bind_measures(py::module_& module) {
   module.def("quality", &judge, py::arg("vertices"), py::arg("faces"));
   module.def("distance", &distance, py::arg("first_vertices"), py::arg("first_faces"),
              py::arg("second_vertices"), py::arg("second_faces"), py::arg("samples"),
-             py::arg("threads"));
+             py::arg("certify"), py::arg("threads"));
   module.def("closest_points", &closest, py::arg("vertices"), py::arg("faces"), py::arg("points"),
              py::arg("threads"));
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geolloyd/errors.h"
+#include "geolloyd/evaluation.h"
 #include "geolloyd/quality.h"
 #include "tools/words/named.h"
 
@@ -32,6 +33,7 @@ Choice choice_of(const char* option, const std::vector<Named<Choice>>& choices,
 
 /// As reports have it.
 std::string fingerprint_words(std::uint64_t fingerprint);
+pybind11::dict words_of(const DistanceBounds& bounds);
 pybind11::dict words_of(const MeshTopology& topology);
 pybind11::dict words_of(const MeshQuality& quality);
 

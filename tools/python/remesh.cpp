@@ -31,14 +31,14 @@ ToleranceRemesh make_graph_dual(const Mesh& mesh, const Fineness& fineness, Reme
   }
   options.vertex_count = fineness.count;
   options.edge_length = fineness.edge_length;
-  return {remesh(mesh, options, runtime), {}};
+  return {remesh(mesh, options, runtime), {}, {}};
 }
 
 py::list trials_of(const std::vector<ToleranceTrial>& trials) {
   py::list list;
   for (const ToleranceTrial& trial : trials) {
-    list.append(
-        py::dict(py::arg("vertices") = trial.vertices, py::arg("distance") = trial.distance));
+    list.append(py::dict(py::arg("vertices") = trial.vertices, py::arg("distance") = trial.distance,
+                         py::arg("distance_lower") = trial.lower));
   }
   return list;
 }
@@ -92,6 +92,7 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
   report["warnings"] = warnings_of(remesh.warnings);
   report["trials"] = trials_of(made.trials);
+  if (!made.trials.empty()) report["certified"] = words_of(made.bounds);
   report["trace"] = trace_of(remesh.steps);
   return report;
 }

@@ -38,6 +38,18 @@ std::string distance_table(const Likeness& likeness, double diagonal) {
   return table.text();
 }
 
+std::string describe(const SurfaceDistanceBounds& bounds, double diagonal) {
+  const auto interval = [&](const DistanceBounds& b) {
+    return fmt::format("[{:.7g}, {:.7g}], [{:.5g}, {:.5g}] %", b.lower, b.upper,
+                       100 * b.lower / diagonal, 100 * b.upper / diagonal);
+  };
+  return fmt::format(
+      "  Hausdorff, certified: remesh to original {}\n"
+      "                        original to remesh {}\n"
+      "                        the larger         {}\n",
+      interval(bounds.from_first), interval(bounds.from_second), interval(bounds.two_sided()));
+}
+
 std::string describe_file(const JudgedMesh& mesh) {
   return fmt::format("{}\n{}  {:<12}{}\n", mesh.input.file.string(),
                      describe(mesh.input.loaded, mesh.input.facts), "topology",
@@ -94,6 +106,12 @@ Json likeness_part(const Likeness& likeness, double diagonal) {
           {"energy_ratio_hexagonal", likeness.energy / likeness.hexagonal}};
 }
 
+void add_bounds(const SurfaceDistanceBounds& bounds, double diagonal, Json& likeness) {
+  likeness["remesh_to_original"].update(bounds_part(bounds.from_first, diagonal));
+  likeness["original_to_remesh"].update(bounds_part(bounds.from_second, diagonal));
+  likeness["two_sided"].update(bounds_part(bounds.two_sided(), diagonal));
+}
+
 }  // namespace
 
 std::string describe(const MeshQuality& q) {
@@ -133,11 +151,21 @@ Json distance_part(const DistanceFigures& figures, double diagonal) {
           {"hausdorff_percent", 100 * figures.largest / diagonal}};
 }
 
+Json bounds_part(const DistanceBounds& bounds, double diagonal) {
+  return {{"hausdorff_lower", bounds.lower},
+          {"hausdorff_upper", bounds.upper},
+          {"hausdorff_lower_percent", 100 * bounds.lower / diagonal},
+          {"hausdorff_upper_percent", 100 * bounds.upper / diagonal}};
+}
+
 std::string quality_text(const QualityRecord& record) {
   const JudgedMesh& remesh = record.remesh;
   std::string text = describe_file(remesh) + describe(record.quality);
   if (record.in_metric) text += describe(*record.in_metric);
   if (record.likeness) text += describe(*record.likeness, remesh, *record.original);
+  if (record.bounds) {
+    text += describe(*record.bounds, record.original->input.facts.bounding_diagonal);
+  }
   return text;
 }
 
@@ -154,6 +182,9 @@ std::string quality_report(const QualityRecord& record) {
     report["original"] = mesh_part(original.input);
     report["original_topology"] = topology_part(original.topology);
     report["likeness"] = likeness_part(*record.likeness, original.input.facts.bounding_diagonal);
+    if (record.bounds) {
+      add_bounds(*record.bounds, original.input.facts.bounding_diagonal, report["likeness"]);
+    }
   }
   return json_text(report);
 }

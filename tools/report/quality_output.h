@@ -16,6 +16,7 @@ std::string describe_in_metric(const MeshQuality& quality);
 Json quality_part(const MeshQuality& quality);
 /// Mesh units, and percent of `diagonal`.
 Json distance_part(const DistanceFigures& figures, double diagonal);
+Json bounds_part(const DistanceBounds& bounds, double diagonal);
 
 /// For people.
 std::string quality_text(const QualityRecord& record);

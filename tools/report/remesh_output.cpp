@@ -96,6 +96,12 @@ std::string describe(const std::vector<ToleranceTrial>& trials, double diagonal)
   return fmt::format("  {:<12}vertices and largest distance, of the diagonal: {}\n", "tried", text);
 }
 
+std::string describe(const DistanceBounds& bounds, double diagonal) {
+  return continued(fmt::format(
+      "largest of both ways, certified: {:.6g} to {:.6g}, {:.4g} to {:.4g} %", bounds.lower,
+      bounds.upper, 100 * bounds.lower / diagonal, 100 * bounds.upper / diagonal));
+}
+
 std::string describe_size(const Remesh& remesh) {
   const std::size_t vertices = remesh.mesh.vertex_count();
   const std::size_t wanted = remesh.vertices_asked_for;
@@ -194,7 +200,9 @@ std::string describe_files(const RemeshFiles& names) {
 Json trials_part(const std::vector<ToleranceTrial>& trials) {
   Json part = Json::array();
   for (const ToleranceTrial& trial : trials) {
-    part.push_back({{"vertices", trial.vertices}, {"distance", trial.distance}});
+    part.push_back({{"vertices", trial.vertices},
+                    {"distance", trial.distance},
+                    {"distance_lower", trial.lower}});
   }
   return part;
 }
@@ -308,6 +316,8 @@ std::string remesh_report(const RemeshRequest& request, const RemeshedInput& don
   report["interrupted"] = remesh.interrupted;
   report["warnings"] = warnings_part(remesh);
   report["trials"] = trials_part(result.trials);
+  report["certified"] =
+      result.bounds ? bounds_part(*result.bounds, input.facts.bounding_diagonal) : Json(nullptr);
   report["iterations"] = remesh.steps.size();
   report["energy"] = remesh.energy;
   report["energy_ratio_hexagonal"] = remesh.energy / remesh.energy_of_hexagonal_tiling;
@@ -385,6 +395,7 @@ std::string describe(const RemeshFiles& names, const RemeshedInput& done) {
          describe(result.trials, input.facts.bounding_diagonal) + describe_moves(remesh) +
          describe(remesh) + describe(result.properties) +
          describe(result.figures, input.facts.bounding_diagonal) +
+         (result.bounds ? describe(*result.bounds, input.facts.bounding_diagonal) : "") +
          fmt::format("  {:<12}{}\n", "fingerprint", fingerprint_text(remesh.fingerprint)) +
          describe_cost(done.loaded, result) + describe_files(names);
 }

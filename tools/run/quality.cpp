@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
 #include "geolloyd/errors.h"
+#include "tools/evaluation/distances/distance_bounds.h"
 #include "tools/run/memory_need.h"
 #include "tools/run/stages.h"
 #include "tools/system/memory_limit.h"
@@ -45,6 +46,10 @@ void compare(const QualityInput& input, const MeshEdges& remesh_edges, QualityRe
   const Mesh& mesh = original.input.mesh();
   record.likeness =
       compare(remesh, mesh, edges.duplicates, original.input.facts.area, input.samples, executor);
+  if (input.certify) {
+    progress.stage("certifying the distance");
+    record.bounds = certify_distance(executor, remesh, mesh, 0);
+  }
   const std::vector<TangentSpace> field = find_field(input.field, mesh, edges, executor);
   if (field.empty()) return;
   progress.stage("measuring in the metric");

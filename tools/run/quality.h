@@ -27,6 +27,7 @@ struct QualityRecord {
   MeshQuality quality;
   std::optional<JudgedMesh> original;
   std::optional<Likeness> likeness;
+  std::optional<SurfaceDistanceBounds> bounds;  ///< of the distance, first the remesh; if asked for
   std::optional<MetricQuality> in_metric;
 };
 
@@ -36,6 +37,7 @@ struct QualityInput {
   std::filesystem::path original;  ///< empty: the remesh is judged alone
   FieldSource field;               ///< of the original
   std::size_t samples = 0;         ///< on each of the two
+  bool certify = false;            ///< finds bounds of the distance, too
   MeshReading reading = {};        ///< of both
 };
 

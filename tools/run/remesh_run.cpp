@@ -19,6 +19,7 @@ void make(const RemeshRequest& request, const MeshFacts& facts, RemeshCourse cou
     ToleranceSearch found = search_within(request.tolerance * unit, std::move(course));
     result.made = std::move(found.best);
     result.trials = std::move(found.trials);
+    result.bounds = found.bounds;
   } else {
     result.made = run(std::move(course));
   }

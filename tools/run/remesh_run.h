@@ -25,7 +25,8 @@ struct RemeshWorkers {
 /// All there is to tell of one run of `remesh`.
 struct RemeshResult {
   TimedRemesh made;
-  std::vector<ToleranceTrial> trials;  ///< none without a tolerance
+  std::vector<ToleranceTrial> trials;    ///< none without a tolerance
+  std::optional<DistanceBounds> bounds;  ///< of the distance, of both ways; if there is a tolerance
   RemeshFigures figures;
   Properties properties;  ///< of the remesh
   RemeshWorkers workers;

@@ -50,29 +50,54 @@ struct SurfaceDistance {
 SurfaceDistance measure_distance(const Mesh& first, const Mesh& second, std::size_t samples,
                                  Runtime& runtime = all_threads());
 
+/// An interval that holds a largest distance for certain, mesh units.
+struct DistanceBounds {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// How far two surfaces are apart at most, each point of them counted (Hausdorff distance).
+struct SurfaceDistanceBounds {
+  DistanceBounds from_first;  ///< of points of the first surface to the second
+  DistanceBounds from_second;
+
+  /// Of the larger of both directions.
+  [[nodiscard]] DistanceBounds two_sided() const;
+};
+
+/// Bounds that are at most 1 % of `tolerance` apart (mesh units), or, where that is 0 or less than
+/// the distance, 1 % of the lower one. Both are 0 where the triangles are the same; no distance
+/// is measured better than to 1e-11 of the diagonal. Bounds are valid, but may be farther apart,
+/// where that would need more than some ten million pieces of triangles. Throws InvalidInput where
+/// a mesh is not valid.
+SurfaceDistanceBounds certify_distance(const Mesh& first, const Mesh& second, double tolerance = 0,
+                                       Runtime& runtime = all_threads());
+
 /// The points of a surface that are closest to some points; of equally close ones that of the
 /// smallest triangle. Throws InvalidInput where the mesh is not valid or a point not finite.
 std::vector<SurfacePoint> closest_points(const Mesh& mesh, const std::vector<Vec3>& points,
                                          Runtime& runtime = all_threads());
 
-/// A remesh that was tried, and how far it is from the mesh: the largest distance, of both ways,
-/// that samples and vertices find.
+/// A remesh that was tried, and bounds of how far it is from the mesh, of both ways
+/// (certify_distance()).
 struct ToleranceTrial {
   std::size_t vertices = 0;
-  double distance = 0;
+  double distance = 0;  ///< the upper one, by which it is judged
+  double lower = 0;
 };
 
 /// A remesh with about the fewest vertices that is near enough, and what was tried.
 struct ToleranceRemesh {
   Remesh remesh;
+  DistanceBounds bounds;  ///< of how far it is from the mesh, of both ways
   std::vector<ToleranceTrial> trials;
 };
 
-/// As remesh(), with as few vertices as keep the largest distance within `tolerance`, mesh
-/// units: some with fewer were tried and are too far. `options` name no vertex count and
-/// no edge length; where they ask for no sizes and have no field, sizes are those of equal error.
-/// Where the progress callback ends the work, the best one so far, or the last one. Throws
-/// InvalidInput also where many vertices are not enough.
+/// As remesh(), with as few vertices as keep the largest distance for certain within `tolerance`,
+/// mesh units: of all that were tried and are, the one with the fewest. `options` name no vertex
+/// count and no edge length; where they ask for no sizes and have no field, sizes are those of
+/// equal error. Where the progress callback ends the work, the best one so far, or the last one.
+/// Throws InvalidInput also where many vertices are not enough.
 ToleranceRemesh remesh_within(const Mesh& mesh, double tolerance, RemeshOptions options,
                               Runtime& runtime = all_threads());
 

@@ -12,21 +12,24 @@ from ._relax import voronoi
 
 
 def quality(vertices: Any, faces: Optional[ArrayLike] = None, *, original: Any = None, samples: int = 500_000,
-            threads: int = 0) -> Dict[str, Any]:
+            certify: bool = False, threads: int = 0) -> Dict[str, Any]:
     """The figures by which remeshes are compared, with the names that ``geolloyd quality`` has for them.
 
     ``quality`` has angles (degrees), triangle qualities and valences, ``topology`` components, Euler
     characteristic, boundary loops and flaws. With ``original``, a mesh or a pair of vertices and faces,
     ``likeness`` has ``remesh_to_original``, ``original_to_remesh`` and ``two_sided``: the mean, rms and largest
-    (``hausdorff``) distance of so many samples on each of the two.
+    (``hausdorff``) distance of so many samples on each of the two. With ``certify`` they have bounds of the
+    Hausdorff distance, too, 1 % apart: ``hausdorff_lower`` and ``hausdorff_upper``.
     """
     vertices, faces = _arrays.mesh_arrays(vertices, faces)
     figures = _core.quality(vertices, faces)
+    if certify and original is None:
+        raise ValueError("certify: the distance to which mesh? Give original, too")
     if original is not None:
         first, second = original if isinstance(original, (tuple, list)) and len(original) == 2 else (original, None)
         others = _arrays.mesh_arrays(first, second, "original: ")
         figures["likeness"] = _core.distance(vertices, faces, *others, _arrays.whole("samples", samples, 1, 10**9),
-                                             _arrays.threads(threads))
+                                             bool(certify), _arrays.threads(threads))
     return figures
 
 
