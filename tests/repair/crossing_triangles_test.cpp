@@ -363,6 +363,10 @@ TEST(Crossings, AreThoseOfAConeThatGoesTwiceAround) {
   EXPECT_GE(find_crossings(cone).size(), 4U);
 }
 
+TEST(Crossings, AreNoneWithoutTriangles) {
+  EXPECT_TRUE(find_crossings(Mesh{}).empty());
+}
+
 TEST(Crossings, AreThoseOfAllPairs) {
   Mesh soup;
   for (std::uint32_t t = 0; t < 200; ++t) {
