@@ -34,6 +34,12 @@ struct GrowingBox {
   }
 };
 
+inline GrowingBox box_around(std::span<const Vec3> points) {
+  GrowingBox box;
+  for (const Vec3& point : points) box.add(point);
+  return box;
+}
+
 /// The box of position_of(i) for i < count. At the origin, and empty, without any.
 template <class PositionOf>
 BoundingBox bounding_box(std::size_t count, PositionOf&& position_of,

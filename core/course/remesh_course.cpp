@@ -6,6 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "core/course/remesh_warnings.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/repair/crossings.h"
 #include "core/surface/result/remesh.h"
 #include "core/surface/sizing/sizing.h"
 
@@ -40,9 +41,14 @@ TimedRemesh run(RemeshCourse course) {
     return goes_on && (!hooks.keep_going || hooks.keep_going());
   };
   TimedRemesh timed;
-  const InputSigns signs = find_signs(course.mesh, course.edges, course.runtime.executor());
+  Executor& executor = course.runtime.executor();
+  InputSigns signs = find_signs(course.mesh, course.edges, executor);
   timed.remesh =
       make_remesh(course.mesh, course.edges, course.options, course.runtime, course.release_edges);
+  timed.remesh.self_intersections = find_crossings(timed.remesh.mesh, executor);
+  if (!timed.remesh.self_intersections.empty()) {
+    signs.has_self_intersections = !find_crossings(course.mesh, executor).empty();
+  }
   timed.remesh.warnings = find_warnings(course.mesh, signs, course.options, timed.remesh);
   timed.seconds.prepare = first_move.value_or(last_move).since(start);
   timed.seconds.move = last_move.since(first_move.value_or(last_move));

@@ -117,6 +117,7 @@ class Judge {
     judge_split_vertices();
     judge_small_parts();
     judge_limit();
+    judge_self_intersections();
     return std::move(found_);
   }
 
@@ -210,6 +211,15 @@ class Judge {
          "vertices: it has needles, which --repair may remove");
   }
 
+  void judge_self_intersections() {
+    const std::size_t pairs = remesh_.self_intersections.size();
+    if (pairs == 0 || signs_.has_self_intersections) return;
+    warn(
+        RemeshFlaw::self_intersections,
+        counted_as(pairs, "pair of triangles crosses", "pairs of triangles cross") +
+            ", and none of the input's do: more vertices would part them, and --issues names them");
+  }
+
   const Mesh& mesh_;
   const InputSigns& signs_;
   const RemeshOptions& options_;
@@ -220,9 +230,9 @@ class Judge {
 }  // namespace
 
 std::string_view name_of(RemeshFlaw flaw) {
-  static constexpr std::array<std::string_view, 9> names = {
+  static constexpr std::array<std::string_view, 10> names = {
       "vertices", "topology",       "volume",      "distance", "fit",
-      "features", "split_vertices", "small_parts", "limit"};
+      "features", "split_vertices", "small_parts", "limit",    "self_intersections"};
   return names[static_cast<std::size_t>(flaw)];
 }
 

@@ -15,6 +15,7 @@ struct InputSigns {
   std::size_t split_vertices = 0;  ///< that reading would have welded
   double sharp_length = 0;         ///< of edges of 60 degrees and more between flat triangles
   double area = 0;
+  bool has_self_intersections = false;  ///< looked for only where the remesh has some
 };
 
 InputSigns find_signs(const Mesh& mesh, const MeshEdges& edges, Executor& executor);

@@ -30,6 +30,7 @@ Dual dual(const Mesh& mesh, const Tessellation& tessellation, const DualOptions&
   result.flipped = made.flipped;
   result.flat = made.flat;
   result.folds = made.folds;
+  result.self_intersections = std::move(made.self_intersections);
   result.mesh = std::move(made.mesh);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "core/regions/dual_places.h"
 #include "core/regions/dual_repair.h"
 #include "core/regions/region_borders.h"
+#include "core/repair/crossings.h"
 
 namespace geolloyd {
 namespace {
@@ -77,6 +78,7 @@ void fill_in(GraphDual& remesh, const GraphDualInput& input, DualisedSeeds duali
   remesh.topology = find_topology(remesh.mesh, edges);
   remesh.flat = count_flat(remesh.mesh);
   remesh.folds = count_folds(remesh.mesh, edges);
+  remesh.self_intersections = find_crossings(remesh.mesh, input.executor);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ struct GraphDual {
   std::size_t flipped = 0;       ///< triangles that face away from the surface
   std::size_t flat = 0;          ///< triangles without area (mesh_quality.h)
   std::size_t folds = 0;         ///< edges at which it turns back on itself (mesh_quality.h)
+  std::vector<TrianglePair> self_intersections;  ///< (repair/crossings.h)
   MeshTopology topology;
   MeshTopology input_topology;
   Roundness roundness;  ///< of the regions that there were

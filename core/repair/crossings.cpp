@@ -2,41 +2,39 @@
 
 #include <algorithm>
 
-#include "core/base/box_tree.h"
-#include "core/base/loops.h"
+#include "core/mesh/box_tree.h"
 #include "core/mesh/mesh_quality.h"
 #include "core/repair/crossing_triangles.h"
+#include "core/repair/plain_stars.h"
 
 namespace geolloyd {
 namespace {
 
-bool are_crossing(const Mesh& mesh, TriangleId one, TriangleId other) {
-  const Triangle& s = mesh.triangles[one];
-  const Triangle& t = mesh.triangles[other];
-  return std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) == s.end() &&
-         do_cross(corners_of(mesh, s), corners_of(mesh, t));
+bool are_in_plain_star(const Triangle& one, const Triangle& other,
+                       const std::vector<std::uint8_t>& is_plain) {
+  return std::any_of(one.begin(), one.end(), [&](VertexId v) {
+    return (v == other[0] || v == other[1] || v == other[2]) && is_plain[v] != 0;
+  });
 }
 
 }  // namespace
 
 std::vector<TrianglePair> find_crossings(const Mesh& mesh, Executor& executor) {
-  constexpr std::size_t some_triangles = 256;
-  std::vector<GrowingBox> boxes(mesh.triangle_count());
-  for (TriangleId t = 0; t < boxes.size(); ++t) {
-    for (const Vec3& p : corners_of(mesh, mesh.triangles[t])) boxes[t].add(p);
-  }
-  const BoxTree tree(boxes);
+  const auto corners = [&](TriangleId t) -> TriangleCorners {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+  };
+  const BoxTree tree(
+      mesh.triangle_count(),
+      [&](std::size_t t) { return box_around(corners(static_cast<TriangleId>(t))); }, executor);
+  const std::vector<std::uint8_t> is_plain = find_plain_stars(mesh, executor);
   std::vector<std::vector<TrianglePair>> of_worker(executor.threads());
-  parallel_for_ranges(executor, boxes.size(), some_triangles,
-                      [&](std::size_t begin, std::size_t end, std::size_t worker) {
-                        for (auto t = static_cast<TriangleId>(begin); t < end; ++t) {
-                          tree.any(boxes[t], [&](std::uint32_t other) {
-                            if (other < t && are_crossing(mesh, other, t))
-                              of_worker[worker].push_back({other, t});
-                            return false;  // and on to all others
-                          });
-                        }
-                      });
+  tree.for_each_pair(executor, [&](TriangleId one, TriangleId other, std::size_t worker) {
+    if (are_in_plain_star(mesh.triangles[one], mesh.triangles[other], is_plain)) return;
+    if (do_cross(corners(one), corners(other))) {
+      of_worker[worker].push_back({std::min(one, other), std::max(one, other)});
+    }
+  });
   std::vector<TrianglePair> found;
   for (const auto& pairs : of_worker) found.insert(found.end(), pairs.begin(), pairs.end());
   std::sort(found.begin(), found.end());

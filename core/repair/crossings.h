@@ -8,9 +8,8 @@
 
 namespace geolloyd {
 
-/// Pairs of triangles that pass through each other, or overlap in one plane
-/// (crossing_triangles.h); ascending. Those with a vertex in common do not count, nor do those that
-/// merely touch.
+/// The self-intersections of a mesh: pairs of triangles that cross, as crossing_triangles.h has it;
+/// ascending.
 std::vector<TrianglePair> find_crossings(const Mesh& mesh, Executor& executor = sequential());
 
 /// The corners of these, per vertex.

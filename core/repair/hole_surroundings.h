@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box_tree.h"
+#include "core/mesh/box_tree.h"
 #include "core/mesh/mesh.h"
 
 namespace geolloyd {

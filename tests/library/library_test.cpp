@@ -375,6 +375,7 @@ INSTANTIATE_TEST_SUITE_P(Calls, LibraryRefuses, testing::ValuesIn(wrong_calls),
 TEST(Library, AMeshWithoutTrianglesHasNoQualityAndNoParts) {
   EXPECT_TRUE(std::isnan(quality({}).mean_quality));
   EXPECT_TRUE(find_topology(Mesh{}).parts.empty());
+  EXPECT_TRUE(self_intersections({}).empty());
 }
 
 TEST(Library, DirectionsOfAFieldMayHaveAnyLength) {

@@ -297,6 +297,7 @@ const BadOption bad_options[] = {
     {"NoRemesh", "remesh torus.ply -n 40", "--output is required"},
     {"EmptyRemesh", "remesh torus.ply -n 40 -o ''", "--output: empty"},
     {"EmptyReport", "remesh torus.ply -n 40 -o r.ply --report ''", "--report: empty"},
+    {"EmptyIssues", "remesh torus.ply -n 40 -o r.ply --issues ''", "--issues: empty"},
     {"EmptyMap", "remesh torus.ply -n 40 -o r.ply --map ''", "--map: empty"},
     {"EmptyPictureOfRemesh", "remesh torus.ply -n 40 -o r.ply --picture ''", "--picture: empty"},
     {"RemeshOfUnknownFormat", "remesh missing.ply -n 40 -o r.xyz", "unknown extension '.xyz'"},

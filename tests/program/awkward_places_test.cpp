@@ -109,6 +109,8 @@ const BadPlace bad_places[] = {
     {"ResultOverItsField", "{ echo k1; for i in $(seq 1000); do echo 1 1 1 0 0 0 1 0; done; } > seeds.csv", "$P relax torus.ply -k 4 --vfield seeds.csv -o .", "would be overwritten"},
     {"FinerMeshOverItsMesh", ":", "$P subdivide torus.ply -s midpoint -o torus.ply", "torus.ply: would be overwritten"},
     {"FinerMeshOverItsMeshByALink", "ln -s torus.ply a.ply", "$P subdivide a.ply -s midpoint -o torus.ply", "a.ply: would be overwritten"},
+    {"IssuesOverTheirFigures", ":", "$P quality torus.ply -o a.json --issues a.json", "a.json: would be overwritten"},
+    {"IssuesOverTheirMesh", ":", "$P repair torus.ply -o a.ply --issues torus.ply", "torus.ply: would be overwritten"},
     {"FiguresOverTheirMesh", ":", "$P quality torus.ply -o torus.ply", "torus.ply: would be overwritten"},
     {"TableOverItsSeeds", "echo 0 > compare.csv", "$P compare torus.ply --seeds-file compare.csv -o .", "would be overwritten"},
     {"FullForRelax", ":", "ulimit -f 16; $P relax torus.ply -k 4 -o out", "cannot write: File too large"},

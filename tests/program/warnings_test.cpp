@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/formats/mesh_io.h"
+#include "core/repair/crossings.h"
 #include "core/shapes/shapes.h"
 #include "core/text/file_io.h"
 #include "tests/support/odd_surfaces.h"
@@ -77,6 +78,43 @@ TEST_F(Warnings, TellOfALostVolume) {
   ASSERT_EQ(geolloyd_with("generate icosphere -t 2000 -o " + mesh_.string()).status, 0);
   EXPECT_EQ(remesh("-n 4 --strict").status, 3);
   EXPECT_TRUE(kinds().contains("volume"));
+}
+
+// Of each command that has --issues: as many lines as its report counts, with the triangles of its
+// mesh.
+TEST_F(Warnings, NameTheTrianglesThatCross) {
+  Mesh mesh = icosphere(320);
+  append(mesh, moved(mesh, {0.5, 0.1, 0}));
+  mesh_ = file("two.ply");
+  write(mesh_, mesh);
+  const std::string issues = " --issues " + file("i.csv").string();
+  const auto check = [&](const std::string& command, const fs::path& made, const char* place) {
+    const Outcome outcome = geolloyd_with(command + issues);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find(" pairs of triangles cross\n"), std::string::npos);
+    std::ifstream lines(file("i.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "kind,triangle,other_triangle,x,y,z");
+    const Mesh judged = read(made).mesh;
+    const std::vector<TrianglePair> expected = find_crossings(judged);
+    EXPECT_GT(expected.size(), 10U);
+    for (const TrianglePair& pair : expected) {
+      std::getline(lines, line);
+      const std::string start =
+          "self_intersection," + std::to_string(pair[0]) + "," + std::to_string(pair[1]) + ",";
+      EXPECT_EQ(line.substr(0, start.size()), start);
+    }
+    EXPECT_FALSE(std::getline(lines, line));
+    const auto report = nlohmann::json::parse(read_file(file("r.json")));
+    EXPECT_EQ(report.at(nlohmann::json::json_pointer(place)), expected.size());
+  };
+  const std::string out = " -o " + file("r.ply").string() + " --report " + file("r.json").string();
+  check("quality " + mesh_.string() + " -o " + file("r.json").string(), mesh_,
+        "/self_intersections");
+  check("repair " + mesh_.string() + out, file("r.ply"), "/self_intersections");
+  check("remesh " + mesh_.string() + " -n 200" + out, file("r.ply"), "/remesh/self_intersections");
+  EXPECT_FALSE(kinds().contains("self_intersections"));
 }
 
 TEST_F(Warnings, AreInTheJsonWhereThatIsWanted) {

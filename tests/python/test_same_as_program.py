@@ -73,6 +73,17 @@ def test_relax(program, scan, options, words):
     assert (dual.vertices == scan.vertices[dual.seeds]).all()
 
 
+def test_self_intersections(program, scan):
+    vertices, faces = scan
+    both = np.concatenate([vertices, vertices + 0.1]), np.concatenate([faces, faces + len(vertices)])
+    geolloyd.write(program.folder / "two.ply", *both)
+    program.run("quality", "two.ply", "--issues", "i.csv")
+    expected = np.loadtxt(program.folder / "i.csv", delimiter=",", skiprows=1, usecols=(1, 2), dtype=int)
+    found = geolloyd.self_intersections(*both)
+    assert len(found) > 100 and (found == expected).all()
+    assert geolloyd.quality(*both)["self_intersections"] == len(found)
+
+
 def test_quality(program, scan):
     remesh = geolloyd.remesh(scan, 300)
     geolloyd.write(program.folder / "r.ply", remesh)
@@ -80,4 +91,5 @@ def test_quality(program, scan):
     expected = program.report("q.json")
     found = geolloyd.quality(remesh, original=scan, samples=20000, certify=True)
     assert found["quality"] == pytest.approx(expected["quality"])
+    assert found["self_intersections"] == expected["self_intersections"] == remesh.report["self_intersections"]
     assert found["likeness"]["two_sided"]["hausdorff"] == pytest.approx(expected["likeness"]["two_sided"]["hausdorff"])

@@ -12,6 +12,7 @@
 #include "core/base/random.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_measure.h"
+#include "core/repair/crossings.h"
 #include "core/seams/cut_apart.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/errors.h"
@@ -383,14 +384,44 @@ TEST(Repair, FillsNoHoleThroughTheSurface) {
   EXPECT_EQ(repaired(open_sphere_and(small), holes_of(100)).repairs.holes_filled, 1U);
 }
 
-// A thin spike through the flattest filling: there is room for another one beside it.
-TEST(Repair, FillsAHoleAroundWhatIsInTheWay) {
+// Four walls of a box without a lid, whose diagonals are equally good: the first is taken.
+Mesh box_without_lid() {
   Mesh mesh;
-  // Four walls of a box without a lid, whose diagonals are equally good: the first is taken.
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},   {0, 1, 0},
                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1.2}, {0, 1, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6},
                     {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  return mesh;
+}
+
+// From inside that box up to a tip in the middle of it.
+Mesh needle_up_to(double height) {
+  Mesh needle;
+  needle.positions = {{0.5, 0.5, height}, {0.49, 0.5, 0.5}, {0.51, 0.49, 0.5}, {0.51, 0.51, 0.5}};
+  needle.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  return needle;
+}
+
+// Both lids of four corners, at 1 and 1.1 in the middle.
+TEST(Repair, LeavesAHoleThatEachFillingWouldPassThroughTheSurface) {
+  const auto filled_with = [](double height) {
+    Mesh mesh = box_without_lid();
+    append(mesh, needle_up_to(height));
+    const RepairedMesh made = repaired(mesh, holes_of(4));
+    EXPECT_EQ(made.repairs.holes_filled + made.repairs.holes_left, 1U);
+    EXPECT_TRUE(find_crossings(made.mesh).empty());
+    return made.repairs.holes_filled;
+  };
+  EXPECT_EQ(filled_with(0.9), 1U);
+  EXPECT_EQ(filled_with(1), 1U);  // at the lower lid
+  EXPECT_EQ(filled_with(1.05), 1U);
+  EXPECT_EQ(filled_with(1.2), 0U);
+  EXPECT_EQ(filled_with(2), 0U);
+}
+
+// A thin spike through the flattest filling: there is room for another one beside it.
+TEST(Repair, FillsAHoleAroundWhatIsInTheWay) {
+  Mesh mesh = box_without_lid();
   const RepairedMesh alone = repaired(mesh, holes_of(4));
   ASSERT_EQ(alone.repairs.holes_filled, 1U);
   const auto lid = [](const RepairedMesh& made) {

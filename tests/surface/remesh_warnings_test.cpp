@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "core/course/remesh_course.h"
+#include "core/repair/crossings.h"
 #include "core/shapes/shapes.h"
 #include "geolloyd/remesh.h"
 #include "geolloyd/runtime.h"
@@ -122,6 +125,36 @@ TEST_F(RemeshWarnings, TellOfSplitVerticesAndLimits) {
   expect({RemeshFlaw::split_vertices});
   remesh_.was_cut_short = true;
   expect({RemeshFlaw::split_vertices, RemeshFlaw::limit});
+}
+
+TEST_F(RemeshWarnings, TellOfSelfIntersectionsThatTheInputHasNot) {
+  remesh_.self_intersections = {{0, 7}};
+  expect({RemeshFlaw::self_intersections});
+  signs_.has_self_intersections = true;
+  expect({});
+}
+
+// A wall too thin for its remesh, of two sheets: they pass through each other. Then the input does.
+TEST(Remeshes, TellOfTheirSelfIntersections) {
+  RemeshOptions options;
+  options.vertex_count = 40;
+  options.fit = false;
+  Mesh shell = icosphere(1'280);
+  Mesh inner = shell;
+  for (Vec3& p : inner.positions) p *= 0.99;
+  append(shell, inner);
+  const auto warns = [&](const Mesh& mesh) {
+    const MeshEdges edges = find_edges(mesh);
+    const Remesh remesh = run(RemeshCourse{mesh, edges, options, reference_runtime()}).remesh;
+    EXPECT_EQ(remesh.self_intersections, find_crossings(remesh.mesh));
+    EXPECT_FALSE(remesh.self_intersections.empty());
+    return std::any_of(remesh.warnings.begin(), remesh.warnings.end(), [](const RemeshWarning& w) {
+      return w.flaw == RemeshFlaw::self_intersections;
+    });
+  };
+  EXPECT_TRUE(warns(shell));
+  append(shell, moved(shell, {0.5, 0, 0}));
+  EXPECT_FALSE(warns(shell));
 }
 
 TEST(InputSigns, AreThoseOfTheMesh) {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "geolloyd/errors.h"
 #include "geolloyd/threads.h"
@@ -12,7 +12,9 @@
 #include "tools/cli/remesh_arguments.h"
 #include "tools/cli/summary_options.h"
 #include "tools/commands/commands.h"
+#include "tools/files/file_group.h"
 #include "tools/files/output_folder.h"
+#include "tools/report/issues_output.h"
 #include "tools/report/quality_output.h"
 #include "tools/run/quality.h"
 #include "tools/run/stages.h"
@@ -23,9 +25,39 @@ namespace {
 
 struct QualityArguments {
   QualityInput input;
-  std::filesystem::path output;
+  std::filesystem::path issues;  // empty: none
+  std::filesystem::path output;  // empty: none
   ThreadArguments threads;
 };
+
+// The last one appears last.
+std::vector<std::filesystem::path> outputs_of(const QualityArguments& a) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : {a.issues, a.output}) {
+    if (!file.empty()) files.push_back(file);
+  }
+  return files;
+}
+
+void check_targets(const QualityArguments& a) {
+  std::vector<std::filesystem::path> others = {a.input.remesh, a.input.original,
+                                               a.input.field.field_file()};
+  for (const auto& file : outputs_of(a)) {
+    check_target(file, others);
+    others.push_back(file);
+  }
+}
+
+void write_files(const QualityArguments& a, const QualityRecord& record) {
+  const std::vector<std::filesystem::path> names = outputs_of(a);
+  if (names.empty()) return;
+  FileGroup files(names);
+  if (!a.issues.empty()) {
+    write_issues(record.remesh.input.mesh(), record.self_intersections, files[0]);
+  }
+  if (!a.output.empty()) files[names.size() - 1].text(quality_report(record));
+  files.commit();
+}
 
 void run_quality(const QualityArguments& a, const Console& console) {
   const QualityInput& input = a.input;
@@ -37,14 +69,12 @@ void run_quality(const QualityArguments& a, const Console& console) {
   }
   const FieldSource& field = input.field;
   check_has_magnitudes(field);
-  if (!a.output.empty()) {
-    check_target(a.output, std::array{input.remesh, input.original, field.field_file()});
-  }
+  check_targets(a);
   Scheduler scheduler = make_scheduler(a.threads);
   Threads runtime(scheduler);
   ProgressLine progress(console);
   const QualityRecord record = judge(input, runtime, progress);
-  if (!a.output.empty()) write_text_file(a.output, quality_report(record));
+  write_files(a, record);
   if (console.wants_json()) console.print_json(quality_report(record));
   fmt::print("{}", quality_text(record));
 }
@@ -71,6 +101,7 @@ void add_quality_command(CLI::App& program, Console& console) {
                    "Judge triangles, edges and energy in a metric of the original, too:\n"
                    "that of a file as of relax, or of its curvature")
       ->type_name("FILE|curvature");
+  add_issues_option(*command, a->issues);
   command->add_option("-o,--output", a->output, "JSON file for all figures")->type_name("FILE");
   add_json_option(*command, console);
   add_reading_options(*command, input.reading);

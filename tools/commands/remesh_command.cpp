@@ -90,6 +90,7 @@ void add_remesh_command(CLI::App& program, Console& console) {
                    "CSV file that tells where on the input each vertex is: a\n"
                    "triangle, and barycentric coordinates in it")
       ->type_name("FILE");
+  add_issues_option(*command, files.issues);
   command->add_option("--picture", files.picture, "PNG file for a picture of the remesh")
       ->type_name("FILE");
   command

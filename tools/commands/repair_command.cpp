@@ -14,6 +14,7 @@
 #include "core/mesh/mesh_edges.h"
 #include "core/mesh/mesh_topology.h"
 #include "core/properties/properties.h"
+#include "core/repair/crossings.h"
 #include "tools/cli/reading_options.h"
 #include "tools/cli/relax_arguments.h"
 #include "tools/cli/repair_arguments.h"
@@ -23,6 +24,7 @@
 #include "tools/files/file_group.h"
 #include "tools/files/mesh_target.h"
 #include "tools/files/output_folder.h"
+#include "tools/report/issues_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/run/input.h"
 #include "tools/run/memory_need.h"
@@ -43,12 +45,13 @@ struct RepairCommandArguments {
   ThreadArguments threads;
   MeshTarget output;
   std::filesystem::path map_file;     // empty: none
+  std::filesystem::path issues_file;  // empty: none
   std::filesystem::path report_file;  // empty: none
 
   // Those beside the repaired mesh.
   [[nodiscard]] std::vector<std::filesystem::path> other_outputs() const {
     std::vector<std::filesystem::path> files;
-    for (const auto& file : {map_file, report_file}) {
+    for (const auto& file : {map_file, issues_file, report_file}) {
       if (!file.empty()) files.push_back(file);
     }
     return files;
@@ -87,6 +90,7 @@ void run_repair(RepairCommandArguments& arguments, Console& console) {
   const MeshEdges edges = find_edges(repaired.mesh, scheduler);
   const MeshFacts facts = check_mesh(repaired.mesh, edges, scheduler);
   const MeshTopology topology = find_topology(repaired.mesh, edges);
+  const std::vector<TrianglePair> crossings = find_crossings(repaired.mesh, scheduler);
 
   progress.stage("writing " + arguments.output.name());
   const std::vector<std::filesystem::path> others = arguments.other_outputs();
@@ -97,6 +101,9 @@ void run_repair(RepairCommandArguments& arguments, Console& console) {
   keep_writable(format, carried);
   write(files[0], format, repaired.mesh, carried);
   if (!arguments.map_file.empty()) write_origins(repaired, files[1]);
+  if (!arguments.issues_file.empty()) {
+    write_issues(repaired.mesh, crossings, files[arguments.map_file.empty() ? 1 : 2]);
+  }
   const Json report = {{"command", "repair"},
                        {"program", program_name()},
                        {"machine", machine_part()},
@@ -109,6 +116,7 @@ void run_repair(RepairCommandArguments& arguments, Console& console) {
                        {"area", facts.area},
                        {"topology", topology_part(topology)},
                        {"is_manifold", topology.is_manifold()},
+                       {"self_intersections", crossings.size()},
                        {"seconds", {{"repair", seconds}, {"total", total.seconds()}}}};
   if (!arguments.report_file.empty()) files[others.size()].text(json_text(report));
   files.commit();
@@ -122,6 +130,9 @@ void run_repair(RepairCommandArguments& arguments, Console& console) {
              counted(facts.triangles, "triangle", "triangles"),
              counted(facts.components, "component", "components"), facts.euler_characteristic,
              describe(topology), facts.area);
+  if (!crossings.empty()) {
+    fmt::print("  {:<12}{}\n", "", describe_self_intersections(crossings.size()));
+  }
   fmt::print("  {:<12}{:.2f} s: repair {:.2f}\n  {:<11} {}", "time", total.seconds(), seconds,
              "written", arguments.output.name());
   for (const auto& name : others) fmt::print(" {}", name.string());
@@ -140,6 +151,7 @@ void add_repair_command(CLI::App& program, Console& console) {
       ->add_option("--map", a->map_file,
                    "CSV file that tells which vertex of the input each vertex was")
       ->type_name("FILE");
+  add_issues_option(*command, a->issues_file);
   command->add_option("--report", a->report_file, "JSON file for all figures")->type_name("FILE");
   add_hole_option(*command, a->repair);
   add_thread_options(*command, a->threads);

@@ -39,6 +39,7 @@ struct RemeshRequest {
 struct RemeshFiles {
   MeshTarget remesh;
   std::filesystem::path map;
+  std::filesystem::path issues;
   std::filesystem::path report;
   std::filesystem::path picture;
   std::filesystem::path page;

@@ -18,19 +18,38 @@ py::dict words_of(const DistanceFigures& figures) {
                   py::arg("hausdorff") = figures.largest);
 }
 
-py::dict judge(const NumberArray& vertices, const IdArray& faces) {
+py::dict judge(const NumberArray& vertices, const IdArray& faces, std::size_t threads) {
   const Mesh mesh = mesh_of(vertices, faces);
   MeshQuality figures;
   MeshTopology topology;
+  std::size_t crossing_pairs = 0;
   {
     const py::gil_scoped_release working;
+    Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
     figures = geolloyd::quality(mesh);
     topology = find_topology(mesh);
+    crossing_pairs = self_intersections(mesh, runtime).size();
   }
   py::dict words;
   words["quality"] = words_of(figures);
   words["topology"] = words_of(topology);
+  words["self_intersections"] = crossing_pairs;
   return words;
+}
+
+py::array self_intersections_of_arrays(const NumberArray& vertices, const IdArray& faces,
+                                       std::size_t threads) {
+  const Mesh mesh = mesh_of(vertices, faces);
+  std::vector<std::array<TriangleId, 2>> pairs;
+  {
+    const py::gil_scoped_release working;
+    Threads runtime(threads);
+    const HeedInterrupts heed(runtime.executor());
+    pairs = self_intersections(mesh, runtime);
+  }
+  const auto count = static_cast<py::ssize_t>(pairs.size());
+  return array_of<std::int32_t>(std::move(pairs), {count, 2});
 }
 
 py::dict distance(const NumberArray& first_vertices, const IdArray& first_faces,
@@ -104,7 +123,9 @@ py::dict words_of(const MeshQuality& q) {
 }
 
 void bind_measures(py::module_& module) {
-  module.def("quality", &judge, py::arg("vertices"), py::arg("faces"));
+  module.def("quality", &judge, py::arg("vertices"), py::arg("faces"), py::arg("threads"));
+  module.def("self_intersections", &self_intersections_of_arrays, py::arg("vertices"),
+             py::arg("faces"), py::arg("threads"));
   module.def("distance", &distance, py::arg("first_vertices"), py::arg("first_faces"),
              py::arg("second_vertices"), py::arg("second_faces"), py::arg("samples"),
              py::arg("certify"), py::arg("threads"));

@@ -85,6 +85,7 @@ py::dict report_of(const ToleranceRemesh& made) {
   report["vertices_fitted"] = remesh.vertices_fitted;
   report["distance_before_fit"] = remesh.distance_before_fit;
   report["distance_after_fit"] = remesh.distance_after_fit;
+  report["self_intersections"] = remesh.self_intersections.size();
   report["closed_ball_violations_left"] = remesh.violations_left;
   report["interrupted"] = remesh.interrupted;
   report["iterations"] = remesh.steps.size();

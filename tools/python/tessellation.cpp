@@ -168,6 +168,7 @@ py::tuple dual_arrays(const Tessellated& made, bool manifold, std::size_t thread
   report["flipped_triangles"] = made_dual.flipped;
   report["triangles_without_area"] = made_dual.flat;
   report["folded_edges"] = made_dual.folds;
+  report["self_intersections"] = made_dual.self_intersections.size();
   report["interrupted"] = made_dual.interrupted;
   auto [vertices, faces] = arrays_of(std::move(made_dual.mesh));
   auto [triangle, barycentric] = arrays_of(places);

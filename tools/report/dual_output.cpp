@@ -104,6 +104,8 @@ std::string describe(const GraphDual& dual) {
   text += line_if(dual.flat, "triangle without area", "triangles without area");
   text += line_if(dual.folds, "edge folded by more than 150 degrees",
                   "edges folded by more than 150 degrees");
+  text += line_if(dual.self_intersections.size(), "pair of triangles crosses",
+                  "pairs of triangles cross");
   const std::string flaw = find_flaw(dual);
   if (!flaw.empty()) {
     text += line(std::string(dual.is_manifold() ? "a manifold" : "NO MANIFOLD") +
@@ -155,6 +157,7 @@ Json dual_part(const GraphDual& dual) {
           {"flipped_triangles", dual.flipped},
           {"triangles_without_area", dual.flat},
           {"folded_edges", dual.folds},
+          {"self_intersections", dual.self_intersections.size()},
           {"closed_ball_violations_found", violations_part(dual.violations_found)},
           {"closed_ball_violations_left", violations_part(dual.violations_left)}};
 }

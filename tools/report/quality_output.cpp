@@ -160,7 +160,12 @@ Json bounds_part(const DistanceBounds& bounds, double diagonal) {
 
 std::string quality_text(const QualityRecord& record) {
   const JudgedMesh& remesh = record.remesh;
-  std::string text = describe_file(remesh) + describe(record.quality);
+  std::string text = describe_file(remesh);
+  if (!record.self_intersections.empty()) {
+    text += fmt::format("  {:<12}{}\n", "",
+                        describe_self_intersections(record.self_intersections.size()));
+  }
+  text += describe(record.quality);
   if (record.in_metric) text += describe(*record.in_metric);
   if (record.likeness) text += describe(*record.likeness, remesh, *record.original);
   if (record.bounds) {
@@ -175,6 +180,7 @@ std::string quality_report(const QualityRecord& record) {
   report["program"] = program_name();
   report["remesh"] = mesh_part(remesh.input);
   report["topology"] = topology_part(remesh.topology);
+  report["self_intersections"] = record.self_intersections.size();
   report["quality"] = quality_part(record.quality);
   if (record.in_metric) report["in_metric"] = metric_part(*record.in_metric);
   if (record.likeness) {

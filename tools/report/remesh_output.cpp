@@ -16,6 +16,7 @@
 #include "tools/files/output_folder.h"
 #include "tools/render/painters.h"
 #include "tools/render/picture.h"
+#include "tools/report/issues_output.h"
 #include "tools/report/quality_output.h"
 #include "tools/report/report_parts.h"
 #include "tools/system/build_facts.h"
@@ -27,7 +28,7 @@ namespace {
 // Those of a run, beside the mesh. The last one tells scripts that all are there.
 std::vector<std::filesystem::path> other_files_of(const RemeshFiles& names) {
   std::vector<std::filesystem::path> files;
-  for (const auto& file : {names.map, names.report}) {
+  for (const auto& file : {names.map, names.issues, names.report}) {
     if (!file.empty()) files.push_back(file);
   }
   return files;
@@ -145,6 +146,9 @@ std::string describe(const Remesh& remesh) {
                                   has_topology ? "of the topology of " : "made from ",
                                   counted(remesh.vertices_cut, "vertex", "vertices")));
   }
+  if (!remesh.self_intersections.empty()) {
+    text += continued(describe_self_intersections(remesh.self_intersections.size()));
+  }
   const std::string flaw = find_flaw(remesh);
   if (!flaw.empty()) {
     text += continued(std::string(remesh.is_manifold() ? "" : "NO MANIFOLD, ") +
@@ -226,6 +230,7 @@ Json remesh_part(const Remesh& remesh) {
           {"vertices_fitted", remesh.vertices_fitted},
           {"distance_before_fit", remesh.distance_before_fit},
           {"distance_after_fit", remesh.distance_after_fit},
+          {"self_intersections", remesh.self_intersections.size()},
           {"is_manifold", remesh.is_manifold()},
           {"has_input_topology", remesh.has_input_topology()},
           {"input_is_manifold", remesh.vertices_cut == 0},
@@ -285,7 +290,7 @@ void prepare_remesh_targets(RemeshFiles& names, const RemeshRequest& request, Co
   std::vector<std::filesystem::path> others = request.files();
   prepare_target(names.remesh, request.reading.format, others, console);
   others.push_back(names.remesh.file);
-  for (const auto& file : {names.map, names.report, names.picture, names.page}) {
+  for (const auto& file : {names.map, names.issues, names.report, names.picture, names.page}) {
     if (file.empty()) continue;
     check_target(file, others);
     others.push_back(file);
@@ -300,6 +305,9 @@ void write_remesh(const RemeshFiles& names, const RemeshResult& result, FileGrou
   const Remesh& remesh = result.made.remesh;
   write(files[0], format_to_write(names.remesh), remesh.mesh, result.properties);
   if (!names.map.empty()) write_map(remesh, files[1]);
+  if (!names.issues.empty()) {
+    write_issues(remesh.mesh, remesh.self_intersections, files[names.map.empty() ? 1 : 2]);
+  }
 }
 
 std::string remesh_report(const RemeshRequest& request, const RemeshedInput& done) {
@@ -340,7 +348,7 @@ std::string remesh_report(const RemeshRequest& request, const RemeshedInput& don
 
 void write_remesh_report(const RemeshFiles& names, const RemeshRequest& request,
                          const RemeshedInput& done, FileGroup& files) {
-  if (!names.report.empty()) files[names.map.empty() ? 1 : 2].text(remesh_report(request, done));
+  if (!names.report.empty()) files[other_files_of(names).size()].text(remesh_report(request, done));
   files.commit();
 }
 

@@ -16,7 +16,7 @@ namespace geolloyd {
 /// before any work depends on it. Throws Error.
 void prepare_remesh_targets(RemeshFiles& names, const RemeshRequest& request, Console& console);
 
-/// The remesh, the map and the report, as far as they are asked for, in this order.
+/// The remesh, the map, the issues and the report, as far as they are asked for, in this order.
 FileGroup open_remesh_files(const RemeshFiles& names);
 /// All but the report. The map has a line per vertex: vertex, triangle of the input, and the
 /// weights of its three corners; -1 and no weights where a vertex has no triangle.

@@ -6,6 +6,7 @@
 
 #include "core/mesh/mesh_check.h"
 #include "core/mesh/mesh_edges.h"
+#include "core/repair/crossings.h"
 #include "geolloyd/errors.h"
 #include "tools/evaluation/distances/distance_bounds.h"
 #include "tools/run/memory_need.h"
@@ -62,7 +63,9 @@ QualityRecord judge(const QualityInput& input, Runtime& runtime, ProgressLine& p
   QualityRecord record;
   const MeshEdges edges =
       load(input.remesh, input.reading, record.remesh, runtime.executor(), progress);
-  record.quality = measure_quality(record.remesh.input.mesh(), edges);
+  const Mesh& remesh = record.remesh.input.mesh();
+  record.quality = measure_quality(remesh, edges);
+  record.self_intersections = find_crossings(remesh, runtime.executor());
   if (input.original.empty()) {
     progress.announce_memory(input.remesh.string(),
                              bytes_to_judge(size_of(record.remesh.input.loaded), {}));

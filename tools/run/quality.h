@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/course/field_source.h"
 #include "core/mesh/mesh_quality.h"
@@ -25,6 +26,7 @@ struct JudgedMesh {
 struct QualityRecord {
   JudgedMesh remesh;
   MeshQuality quality;
+  std::vector<TrianglePair> self_intersections;  ///< of the remesh
   std::optional<JudgedMesh> original;
   std::optional<Likeness> likeness;
   std::optional<SurfaceDistanceBounds> bounds;  ///< of the distance, first the remesh; if asked for

@@ -131,6 +131,11 @@ std::string describe(const PositionFit& fit, const MeshFacts& facts) {
   return text + "\n";
 }
 
+std::string describe_self_intersections(std::size_t pairs) {
+  if (pairs == 0) return "";
+  return counted(pairs, "pair of triangles crosses", "pairs of triangles cross");
+}
+
 std::string describe(const MeshTopology& topology) {
   std::string text = counted(topology.total().boundary_loops, "boundary loop", "boundary loops");
   if (topology.is_manifold()) return text + ", manifold";

@@ -35,6 +35,9 @@ std::string counted(std::uint64_t number, const char* singular, const char* plur
 /// How far seeds given by position are from their nodes, and how many have none: a line.
 std::string describe(const PositionFit& fit, const MeshFacts& facts);
 
+/// How many pairs of triangles cross; nothing where none does.
+std::string describe_self_intersections(std::size_t pairs);
+
 /// Boundary loops, and whether it is a manifold.
 std::string describe(const MeshTopology& topology);
 

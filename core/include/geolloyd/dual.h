@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -36,6 +37,8 @@ struct Dual {
   std::size_t flipped = 0;          ///< triangles that face away from the surface
   std::size_t flat = 0;             ///< triangles without area
   std::size_t folds = 0;            ///< edges at which the dual turns back on itself
+  std::vector<std::array<TriangleId, 2>>
+      self_intersections;  ///< pairs of triangles, as self_intersections() finds them
 };
 
 }  // namespace geolloyd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "geolloyd/mesh.h"
+#include "geolloyd/runtime.h"
 
 namespace geolloyd {
 
@@ -18,6 +20,13 @@ struct MeshQuality quality(const Mesh& mesh);
 /// three vertices, and of the vertices they name. O(triangles). Throws InvalidInput where the mesh
 /// is not valid.
 struct MeshTopology find_topology(const Mesh& mesh);
+
+/// The pairs of triangles that have a point in common beside the corners, or the edge, that they
+/// share; ascending. Corners in the very same place are shared, triangles without area are left
+/// out, and what merely touches counts. Exact where coordinates are 0 or have a magnitude from
+/// 1e-75 on. Throws InvalidInput where the mesh is not valid.
+std::vector<std::array<TriangleId, 2>> self_intersections(const Mesh& mesh,
+                                                          Runtime& runtime = all_threads());
 
 /// The figures by which remeshes are compared. Every triangle of the mesh counts, degenerate and
 /// duplicate ones as well. A vertex is inner where each of its edges, at least one, has exactly two

@@ -114,15 +114,16 @@ struct SurfaceStep {
 
 /// What may be bad about a remesh.
 enum class RemeshFlaw {
-  vertices,        ///< many more than asked for
-  topology,        ///< no manifold, or not of the input's topology
-  volume,          ///< another one inside than inside the input, where both are closed
-  distance,        ///< part of the input is far from the remesh: found by who measures
-  fit,             ///< could bring the remesh hardly closer
-  features,        ///< the input has long sharp edges, and none are kept
-  split_vertices,  ///< of the input: where they are, its surface is not joined
-  small_parts,     ///< of the input: smaller than a triangle of the remesh
-  limit            ///< the input was not cut as finely as it should be
+  vertices,           ///< many more than asked for
+  topology,           ///< no manifold, or not of the input's topology
+  volume,             ///< another one inside than inside the input, where both are closed
+  distance,           ///< part of the input is far from the remesh: found by who measures
+  fit,                ///< could bring the remesh hardly closer
+  features,           ///< the input has long sharp edges, and none are kept
+  split_vertices,     ///< of the input: where they are, its surface is not joined
+  small_parts,        ///< of the input: smaller than a triangle of the remesh
+  limit,              ///< the input was not cut as finely as it should be
+  self_intersections  ///< triangles cross (quality.h), and none of the input do
 };
 
 /// "vertices" and so on, for scripts.
@@ -168,6 +169,8 @@ struct Remesh {
                                         ///< features took
   bool small_features_limited = false;  ///< these would have taken more than they may, and some
                                         ///< edges are half as long again as they need
+  std::vector<std::array<TriangleId, 2>>
+      self_intersections;       ///< pairs of triangles, as self_intersections() finds them
   std::size_t small_parts = 0;  ///< of the input: smaller than a triangle of the remesh; none are
                                 ///< counted where edge lengths vary
   bool was_cut_short = false;   ///< edges of the input were not halved any more at the limit

@@ -15,13 +15,13 @@ memory MemoryError. Other threads of Python run meanwhile, and several may call 
 """
 from ._core import version as __version__
 from ._files import generate, read, write
-from ._measures import closest_points, ground_truth, quality
+from ._measures import closest_points, ground_truth, quality, self_intersections
 from ._remesh import remesh
 from ._results import GroundTruth, Mesh, Remesh, RemeshProgress, Tessellation, TessellationProgress
 from ._relax import distances, relax, seeds, voronoi
 from .many import remesh_many
 
 __all__ = [
-    "remesh", "relax", "voronoi", "distances", "seeds", "ground_truth", "quality", "closest_points", "read", "write",
-    "generate", "remesh_many", "Mesh", "Remesh", "Tessellation", "GroundTruth", "RemeshProgress", "TessellationProgress",
+    "remesh", "relax", "voronoi", "distances", "seeds", "ground_truth", "quality", "self_intersections", "closest_points", "read",
+    "write", "generate", "remesh_many", "Mesh", "Remesh", "Tessellation", "GroundTruth", "RemeshProgress", "TessellationProgress",
 ]

@@ -1,4 +1,4 @@
-"""quality(), ground_truth() and closest_points()."""
+"""quality(), self_intersections(), ground_truth() and closest_points()."""
 from __future__ import annotations
 
 from typing import Any, Dict, Optional, Tuple, Union
@@ -16,13 +16,14 @@ def quality(vertices: Any, faces: Optional[ArrayLike] = None, *, original: Any =
     """The figures by which remeshes are compared, with the names that ``geolloyd quality`` has for them.
 
     ``quality`` has angles (degrees), triangle qualities and valences, ``topology`` components, Euler
-    characteristic, boundary loops and flaws. With ``original``, a mesh or a pair of vertices and faces,
+    characteristic, boundary loops and flaws; ``self_intersections`` is the number of pairs of triangles that cross.
+    With ``original``, a mesh or a pair of vertices and faces,
     ``likeness`` has ``remesh_to_original``, ``original_to_remesh`` and ``two_sided``: the mean, rms and largest
     (``hausdorff``) distance of so many samples on each of the two. With ``certify`` they have bounds of the
     Hausdorff distance, too, 1 % apart: ``hausdorff_lower`` and ``hausdorff_upper``.
     """
     vertices, faces = _arrays.mesh_arrays(vertices, faces)
-    figures = _core.quality(vertices, faces)
+    figures = _core.quality(vertices, faces, _arrays.threads(threads))
     if certify and original is None:
         raise ValueError("certify: the distance to which mesh? Give original, too")
     if original is not None:
@@ -31,6 +32,16 @@ def quality(vertices: Any, faces: Optional[ArrayLike] = None, *, original: Any =
         figures["likeness"] = _core.distance(vertices, faces, *others, _arrays.whole("samples", samples, 1, 10**9),
                                              bool(certify), _arrays.threads(threads))
     return figures
+
+
+def self_intersections(vertices: Any, faces: Optional[ArrayLike] = None, *, threads: int = 0) -> np.ndarray:
+    """The pairs of triangles (k, 2) int32 that have a point in common beside the corners, or the edge, that they share.
+
+    Ascending, and exact. Corners in the very same place are shared, triangles without area are left out, and what
+    merely touches counts.
+    """
+    vertices, faces = _arrays.mesh_arrays(vertices, faces)
+    return _core.self_intersections(vertices, faces, _arrays.threads(threads))
 
 
 def ground_truth(vertices: Any, faces: Optional[ArrayLike] = None, seeds: Optional[ArrayLike] = None, *,
