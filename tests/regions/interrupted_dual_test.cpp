@@ -5,6 +5,7 @@
 #include "core/lloyd/reference_engine.h"
 #include "core/mesh/mesh_edges.h"
 #include "core/regions/graph_dual.h"
+#include "core/regions/regions_of_nodes.h"
 #include "core/shapes/shapes.h"
 
 namespace geolloyd {

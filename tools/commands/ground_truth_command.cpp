@@ -25,6 +25,25 @@ struct GroundTruthArguments {
   std::filesystem::path output;
 };
 
+JudgedPartition judge(const PreparedInput& start, Scheduler& scheduler, Threads& threads,
+                      ProgressLine& progress) try {
+  scheduler.set_watch(give_up_if_interrupted);
+  progress.stage("partitioning");
+  JudgedPartition judged;
+  judged.threads = scheduler.threads();
+  judged.partition = partition_seeds(start.mesh_graph.graph, start.seeds, threads).partition;
+  progress.stage("finding the ground truth");
+  const Stopwatch watch;
+  judged.truth = make_ground_truth(scheduler, start.input.mesh(), start.mesh_graph,
+                                   judged.partition, start.seeds);
+  judged.seconds = watch.seconds();
+  return judged;
+} catch (const InterruptedExit&) {
+  progress.clear();
+  std::fputs("geolloyd: interrupted\n", stderr);
+  throw;
+}
+
 void run_ground_truth(const GroundTruthArguments& a, const Console& console) {
   check_seeds(a.start.seeds, a.start.seed_file);
   ProgressLine progress(console);
@@ -35,20 +54,7 @@ void run_ground_truth(const GroundTruthArguments& a, const Console& console) {
   const PreparedInput start = prepare(a.start, work, threads, progress);
   catch_interrupts();  // before the folder appears
   const MadeFolders folders = prepare_ground_truth_output(a.output, a.start);
-  progress.stage("partitioning");
-  JudgedPartition judged;
-  judged.threads = scheduler.threads();
-  judged.partition = partition_seeds(start.mesh_graph.graph, start.seeds, threads).partition;
-  progress.stage("finding the ground truth");
-  const Stopwatch watch;
-  judged.truth = make_ground_truth(scheduler, start.input.mesh(), start.mesh_graph,
-                                   judged.partition, start.seeds);
-  judged.seconds = watch.seconds();
-  if (interrupted()) {
-    progress.clear();
-    std::fputs("geolloyd: interrupted\n", stderr);
-    throw InterruptedExit{};
-  }
+  const JudgedPartition judged = judge(start, scheduler, threads, progress);
   const std::string report = write_ground_truth(a.output, a.start, start, judged);
   progress.clear();
   if (console.wants_json()) console.print_json(report);

@@ -223,7 +223,7 @@ Result judge(const RelaxArguments& arguments, const PreparedInput& start, EndedR
   result.relaxation = std::move(ended.relaxation);
   result.threads = arguments.engine.kind == EngineKind::reference ? 1 : executor.threads();
   const Relaxation& relaxation = result.relaxation;
-  if (arguments.ground_truth) {
+  if (arguments.ground_truth && !interrupted()) {
     progress.stage("finding the ground truth");
     const Stopwatch watch;
     result.ground_truth = make_ground_truth(executor, start.input.mesh(), start.mesh_graph,

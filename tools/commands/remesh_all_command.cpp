@@ -179,6 +179,8 @@ class RemeshingAll {
     try {
       remesh(task, share, watch);
       return;
+    } catch (const InterruptedExit&) {
+      return;
     } catch (const std::bad_alloc&) {
       // Others may hold what is missing.
       if (!share.is_everything()) throw TooLittleMemory{allowed_memory()};
@@ -199,6 +201,7 @@ class RemeshingAll {
     names.remesh.file = tasks_[task].output;
     if (arguments_.has_reports) names.report = names.remesh.file.string() + ".json";
     Scheduler scheduler(threads_for(task), arguments_.each.threads.backend);
+    scheduler.set_watch(give_up_if_interrupted);
     ProgressLine silent = ProgressLine::silent();
     const auto check_memory = [&](std::uint64_t bytes) {
       require_memory(request.mesh.string(), bytes);

@@ -171,7 +171,6 @@ void verify_remesh(const VerifyArguments& a, const Console& console) {
   const LoadedInput loaded = load_surface(request, scheduler, progress);
   const auto budget = [&](std::uint64_t bytes) {
     progress.announce_memory(request.mesh.string(), bytes);
-    catch_interrupts();
   };
   SurfaceComparison comparison;
   ReferenceRuntime reference(scheduler);

@@ -45,7 +45,7 @@ RemeshFigures judge_remesh(const Mesh& mesh, const MeshEdges& edges, const MeshF
   if (!remesh.edge_lengths.empty()) {
     figures.length_ratios = measure_ratios(remesh, own_edges, shape);
   }
-  if (remesh.mesh.triangles.empty()) return figures;
+  if (remesh.mesh.triangles.empty() || remesh.interrupted) return figures;
   figures.samples = samples;
   figures.distance = measure_distance_one_way(executor, mesh, edges, remesh.mesh, samples);
   figures.volume_error = volume_error(mesh, is_closed(facts), remesh);

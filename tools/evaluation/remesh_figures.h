@@ -21,8 +21,10 @@ struct RemeshFigures {
   std::optional<EdgeLengthRatios> length_ratios;  ///< over what was asked for at the ends, in the
                                                   ///< mean; where lengths vary
   std::size_t samples = 0;                        ///< of the mesh
-  std::optional<DistanceFigures> distance;  ///< from the mesh to the remesh, if that is a surface
-  std::optional<double> volume_error;       ///< share of the mesh's volume; if both are closed
+  std::optional<DistanceFigures> distance;  ///< from the mesh to the remesh, if that is a surface;
+                                            ///< none after an interrupt, as it takes longest
+  std::optional<double> volume_error;       ///< share of the mesh's volume; if both are closed;
+                                            ///< none after an interrupt
 };
 
 /// Takes some tenths of a second, however large the mesh is. Of its edges only the duplicates

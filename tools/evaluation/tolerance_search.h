@@ -15,8 +15,9 @@ struct ToleranceSearch {
 };
 
 /// Tries remeshes (vertex_search.h) until it has the fewest vertices within `tolerance`, mesh
-/// units. Where a hook or the options' progress ends the work, the best one so far, or the last
-/// one. Throws InvalidInput also where many vertices are not enough.
+/// units. Where a hook or the options' progress ends the work, the best one so far, or where
+/// there is none, the one at work: nobody has measured that. Throws InvalidInput also where many
+/// vertices are not enough.
 ToleranceSearch search_within(double tolerance, RemeshCourse course);
 
 }  // namespace geolloyd

@@ -64,9 +64,9 @@ std::uint64_t estimate_remesh_memory(const Input& input, const MeshEdges& edges,
 RemeshCourse remesh_course(const LoadedInput& loaded, RemeshOptions options, Runtime& runtime,
                            ProgressLine& progress, std::function<void(std::uint64_t)> budget,
                            const std::optional<PictureLook>& picture) {
-  // Before sites move nothing is lost if an interrupt ends the program at once.
+  // Before sites of the remesh move nothing is lost if an interrupt ends the program at once.
   options.progress = [&progress](const RemeshProgress& p) {
-    catch_interrupts();
+    if (!p.finds_sizes) catch_interrupts();
     progress.show(p);
     return true;
   };

@@ -19,7 +19,7 @@ void make(const RemeshRequest& request, const MeshFacts& facts, RemeshCourse cou
     ToleranceSearch found = search_within(request.tolerance * unit, std::move(course));
     result.made = std::move(found.best);
     result.trials = std::move(found.trials);
-    result.bounds = found.bounds;
+    if (!found.trials.empty()) result.bounds = found.bounds;
   } else {
     result.made = run(std::move(course));
   }

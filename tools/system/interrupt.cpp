@@ -80,4 +80,8 @@ bool interrupted() {
   return signal_came;
 }
 
+void give_up_if_interrupted() {
+  if (interrupted()) throw InterruptedExit{};
+}
+
 }  // namespace geolloyd

@@ -23,6 +23,10 @@ bool interrupted();
 /// Thrown by a command that did its work after an interrupt: exit status 130, nothing printed.
 struct InterruptedExit {};
 
+/// Throws InterruptedExit once an interrupt has been noted: the watch of an executor whose work is
+/// of no use by halves.
+void give_up_if_interrupted();
+
 /// Thrown by a command whose results are there, but bad, where --strict was given: exit status 3,
 /// nothing printed.
 struct WarnedExit {};

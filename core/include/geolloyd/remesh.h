@@ -52,6 +52,8 @@ struct RemeshProgress {
   double energy_ratio = 0;       ///< over that of the hexagonal tiling of the plane with as many
   /// Where a site of this level is, mesh units. Not to be called later.
   std::function<Vec3(std::size_t site)> place;
+  bool finds_sizes = false;  ///< these are sites of the quick remesh for
+                             ///< SizingOptions::equal_error, of which nothing is kept
 };
 
 /// Edges of a mesh at which its surface turns.
@@ -98,8 +100,8 @@ struct RemeshOptions {
   FeatureOptions features;
   bool fit =
       true;  ///< move vertices off the surface in the end, where that brings the remesh closer
-  /// Called by the calling thread now and then. False ends the moving of sites, the fit and the
-  /// glides: the remesh is then made from what there is.
+  /// Called by the calling thread now and then. False ends the moving of sites and the fit, and
+  /// glides are given up: the remesh is then made from the sites there are.
   std::function<bool(const RemeshProgress&)> progress;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,10 +18,9 @@ constexpr std::size_t reach = 9;  // rings: of a path, and what is fitted about 
 
 class Glider {
  public:
-  Glider(GlidingRemesh& remesh, Executor& executor, const std::function<bool()>& keep_going)
+  Glider(GlidingRemesh& remesh, Executor& executor)
       : remesh_(remesh),
         executor_(executor),
-        keep_going_(keep_going),
         changed_(remesh_.positions.size(), 0),
         may_glide_(remesh_.positions.size(), 1) {}
 
@@ -47,7 +45,6 @@ class Glider {
       }
       for (const VertexId v : touched_) changed_[v] = 0;
       touched_.clear();
-      if (keep_going_ && !keep_going_()) break;
     }
     return glides;
   }
@@ -99,7 +96,6 @@ class Glider {
 
   GlidingRemesh& remesh_;
   Executor& executor_;
-  const std::function<bool()>& keep_going_;
   std::vector<std::uint8_t> changed_;    // per vertex: in this batch
   std::vector<std::uint8_t> may_glide_;  // per vertex
   std::vector<VertexId> touched_;
@@ -109,13 +105,13 @@ class Glider {
 
 std::size_t glide_irregular(const SurfaceInput& input, std::vector<RegionId>& labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
-                            std::span<const std::uint8_t> barred, Mesh& remesh, Executor& executor,
-                            const std::function<bool()>& keep_going) {
+                            std::span<const std::uint8_t> barred, Mesh& remesh,
+                            Executor& executor) {
   if (remesh.triangles.empty()) return 0;
   GlidingRemesh gliding(input, labels, held, kept, barred, remesh, executor);
-  Glider glider(gliding, executor, keep_going);
+  Glider glider(gliding, executor);
   std::size_t glides = glider.sweep();
-  const VertexMoves moves = move_vertices(gliding, executor, keep_going);
+  const VertexMoves moves = move_vertices(gliding, executor);
   relabel_moved(input.fine, gliding, moves.moved, labels);
   glider.look_again_at(moves.changed);
   glides += moves.count + glider.sweep();

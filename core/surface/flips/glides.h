@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,12 +19,10 @@ namespace geolloyd {
 /// Returns how many paths were taken and vertices moved.
 ///
 /// The result of glides is that of one vertex after the other, on any number of threads. Some are
-/// tried at once; one is tried anew where an earlier one has changed what it saw. Where
-/// `keep_going` says no, none are tried any more.
+/// tried at once; one is tried anew where an earlier one has changed what it saw.
 std::size_t glide_irregular(const SurfaceInput& input, std::vector<RegionId>& labels,
                             std::size_t held, std::span<const std::array<VertexId, 2>> kept,
                             std::span<const std::uint8_t> barred, Mesh& remesh,
-                            Executor& executor = sequential(),
-                            const std::function<bool()>& keep_going = {});
+                            Executor& executor = sequential());
 
 }  // namespace geolloyd

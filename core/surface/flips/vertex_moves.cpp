@@ -20,10 +20,11 @@ class VertexMover {
         splits_(remesh.positions.size()),
         is_changed_(remesh.positions.size(), 1) {}
 
-  VertexMoves run(const std::function<bool()>& keep_going) {
+  VertexMoves run() {
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round) {
-      if (!try_all(keep_going) || !pair_best()) break;
+      try_all();
+      if (!pair_best()) break;
     }
     sort_and_deduplicate(moves_.moved);
     sort_and_deduplicate(moves_.changed);
@@ -31,16 +32,10 @@ class VertexMover {
   }
 
  private:
-  // False where it was told to stop.
-  bool try_all(const std::function<bool()>& keep_going) {
-    constexpr std::size_t batch = 4096;
-    for (std::size_t begin = 0; begin < is_changed_.size(); begin += batch) {
-      if (keep_going && !keep_going()) return false;
-      parallel_for(executor_, std::min(batch, is_changed_.size() - begin), 1,
-                   [&](std::size_t i) { try_at(static_cast<VertexId>(begin + i)); });
-    }
+  void try_all() {
+    parallel_for(executor_, is_changed_.size(), 1,
+                 [&](std::size_t v) { try_at(static_cast<VertexId>(v)); });
     is_changed_.assign(is_changed_.size(), 0);
-    return true;
   }
 
   // Anew where the patch has changed.
@@ -172,9 +167,8 @@ class VertexMover {
 
 }  // namespace
 
-VertexMoves move_vertices(GlidingRemesh& remesh, Executor& executor,
-                          const std::function<bool()>& keep_going) {
-  return VertexMover(remesh, executor).run(keep_going);
+VertexMoves move_vertices(GlidingRemesh& remesh, Executor& executor) {
+  return VertexMover(remesh, executor).run();
 }
 
 }  // namespace geolloyd

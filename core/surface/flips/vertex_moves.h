@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/surface/flips/glide_trial.h"
@@ -19,7 +18,6 @@ struct VertexMoves {
 ///
 /// Both are tried near all irregular vertices at once. The best are paired, if they are far enough
 /// apart. Then it is done again where something has changed.
-VertexMoves move_vertices(GlidingRemesh& remesh, Executor& executor = sequential(),
-                          const std::function<bool()>& keep_going = {});
+VertexMoves move_vertices(GlidingRemesh& remesh, Executor& executor = sequential());
 
 }  // namespace geolloyd

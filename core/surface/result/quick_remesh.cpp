@@ -26,17 +26,18 @@ class QuickRemesher {
         input_(input),
         shape_(shape),
         count_(count),
-        relaxer_(input, options, runtime),
+        relaxer_(input, options, runtime, true),
         executor_(runtime.executor()),
         surface_(input, spacing_of(input.fine.whole_sized_area, static_cast<double>(count)), true,
                  executor_) {}
 
   std::vector<double> run() {
-    rest();
+    if (!rest()) return {};
     Mesh remesh = dual();
     const MeshEdges edges = find_edges(remesh);
-    if (relaxer_.is_interrupted() || !find_topology(remesh, edges).is_manifold()) return {};
+    if (!find_topology(remesh, edges).is_manifold()) return {};
     fit(remesh);
+    if (relaxer_.is_interrupted()) return {};
     const std::vector<MeasuredCell> cells = measured_cells(remesh);
     const std::vector<double> lengths = lengths_of_equal_error(cells, static_cast<double>(count_));
     return has_far_cells(cells, smoothed(edges, lengths)) ? at_mesh(lengths)
@@ -44,15 +45,18 @@ class QuickRemesher {
   }
 
  private:
-  void rest() {
+  // False after an interrupt.
+  bool rest() {
     constexpr RestEffort little = {.vertex_visits = 1'000'000,
                                    .fewest_iterations = 5,
                                    .most_iterations = 50,
                                    .tries_again = false};
     constexpr std::size_t few = 1000;
     RestingSites resting = rest_sites(surface_, count_, relaxer_, little, executor_);
+    if (relaxer_.is_interrupted()) return false;
     dualised_ = repair_dual(surface_, std::move(resting), 2 * count_ + few, relaxer_, executor_);
     relaxer_.release_engine();
+    return !relaxer_.is_interrupted();
   }
 
   Mesh dual() {

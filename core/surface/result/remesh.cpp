@@ -121,7 +121,7 @@ class Remesher {
     if (result.is_manifold()) result.edges_flipped = flip_edges(result.mesh, on_curves, shape);
     result.feature_edges = edges_along_features(result.mesh, on_curves);
     measure_energy(result);
-    if (options_.fit && result.is_manifold() && !relaxer_.is_interrupted()) {
+    if (options_.fit && result.is_manifold() && keep_going_()) {
       // Where most vertices are because the topology needs them, there is no lattice to glide in.
       const bool is_lattice = result.mesh.vertex_count() <= 2 * count_;
       fit_remesh({mesh_, input_, surface_->curves, shape, on_curves, shape.empty() && is_lattice},

@@ -26,7 +26,7 @@ struct RemeshSurface {
 /// vertices on curves first (curve_fit.h), then the others (surface_fit.h); then glides
 /// (glides.h), and a fit anew. Fills in what Remesh says of that, and places. `labels` tell the
 /// vertex of the remesh that each vertex of the surface belongs to. Where `keep_going` says no,
-/// what has been reached is the result.
+/// the first fit ends with what it has reached, and all that follows is given up.
 void fit_remesh(const RemeshSurface& surface, std::vector<RegionId>& labels, Remesh& remesh,
                 Executor& executor, const std::function<bool()>& keep_going);
 

@@ -47,8 +47,7 @@ class SurfaceRepair {
     }
     insert_until_none();
     if (is_at_limit()) return std::move(result_);
-    if (!has_violations() && result_.state.sites.size() > wanted_) try_without_surplus();
-    if (!has_violations()) try_without_holding();
+    if (!has_violations() && goes_on_moving()) spread();
     give_triangles_area();
     return std::move(result_);
   }
@@ -58,7 +57,7 @@ class SurfaceRepair {
   void dualise() {
     take_cells();
     tidy();
-    for (int attempt = 0; has_site_without_cell() && attempt < 4; ++attempt) {
+    for (int attempt = 0; attempt < 4 && has_site_without_cell() && goes_on_moving(); ++attempt) {
       balance_sites(level_, budget_.free, result_.cells, result_.state.sites, result_.state.labels);
       relaxer_.relax(level_, result_.state, 0);
       take_cells();
@@ -123,9 +122,11 @@ class SurfaceRepair {
     return std::count(is_fixed.begin(), is_fixed.end(), std::uint8_t{1});
   }
 
+  bool goes_on_moving() { return relaxer_.ask(result_.state.sites); }
+
   // An interrupt leaves some rounds, which are enough where there are few violations.
   bool goes_on() {
-    if (relaxer_.ask(result_.state.sites)) return ++rounds_ <= most_rounds;
+    if (goes_on_moving()) return ++rounds_ <= most_rounds;
     return ++rounds_after_interrupt_ <= rounds_after_interrupt && ++rounds_ <= most_rounds;
   }
 
@@ -319,6 +320,11 @@ class SurfaceRepair {
     return regions;
   }
 
+  void spread() {
+    if (result_.state.sites.size() > wanted_) try_without_surplus();
+    if (!has_violations()) try_without_holding();
+  }
+
   // What is left moves until it is evenly spread. As it was, if violations come back even where the
   // sites hardly move.
   void try_without_surplus() {
@@ -327,6 +333,7 @@ class SurfaceRepair {
     const std::size_t many =
         std::clamp(vertex_visits / level_.patch.size(), more_iterations, most_iterations);
     for (const std::size_t iterations : {many, more_iterations, std::size_t{1}}) {
+      if (!goes_on_moving()) return;
       make_room(0);
       if (result_.state.sites.size() == before.state.sites.size()) return;
       relaxer_.relax(level_, result_.state, iterations);

@@ -58,22 +58,25 @@ class LevelByLevel {
         effort_(effort),
         executor_(executor) {}
 
+  // After an interrupt no more sites come, and those that are there go to the fine mesh.
   RestingSites run() {
     const std::size_t first = levels_.size() - 1;
     on_ = &meshes_.at(first);
     curve_sites_ = place_curve_sites(surface_.input, surface_.curves, levels_[first].spacing);
     start_sites(*on_, levels_[first].free, curve_sites_, state_.sites, state_.labels);
     settle(first);
-    for (std::size_t level = first; level-- > 0;) {
+    for (std::size_t level = first; level-- > 0 && goes_on();) {
       refine(level);
       settle(level);
     }
     if (on_ != &meshes_.fine()) move_to_fine();
-    balance(0);
+    if (goes_on()) balance(0);
     return {std::move(state_), std::move(levels_[0])};
   }
 
  private:
+  bool goes_on() { return relaxer_.ask(state_.sites); }
+
   void balance(std::size_t level) {
     relaxer_.sweep(*on_, state_);
     balance_sites(*on_, levels_[level].free, relaxer_.cells(), state_.sites, state_.labels);
@@ -84,6 +87,7 @@ class LevelByLevel {
   void settle(std::size_t level) {
     constexpr std::size_t first_iterations = 10;
     relaxer_.relax(*on_, state_, first_iterations);
+    if (!goes_on()) return;
     balance(level);
     const double energy = relaxer_.relax(*on_, state_, iterations_on(*on_, effort_));
     if (effort_.tries_again) try_again(energy, levels_[level].spacing);
@@ -92,7 +96,7 @@ class LevelByLevel {
   // Each attempt starts from the best one, shaken.
   void try_again(double energy, double spacing) {
     const std::uint64_t attempts = attempts_with(state_.sites.size());
-    for (std::uint64_t attempt = 1; attempt <= attempts; ++attempt) {
+    for (std::uint64_t attempt = 1; attempt <= attempts && goes_on(); ++attempt) {
       LabelledSites shaken = state_;
       shake(shaken, spacing, attempt);
       const double reached = relaxer_.relax(*on_, shaken, iterations_on(*on_, effort_));

@@ -11,8 +11,9 @@
 
 namespace geolloyd {
 
-SiteRelaxer::SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime)
-    : input_(input), options_(options), runtime_(runtime) {}
+SiteRelaxer::SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime,
+                         bool finds_sizes)
+    : input_(input), options_(options), runtime_(runtime), finds_sizes_(finds_sizes) {}
 
 SurfaceEngine& SiteRelaxer::engine_for(const LevelMesh& level) {
   if (mesh_ != level.mesh) {
@@ -78,8 +79,8 @@ bool SiteRelaxer::ask(const SurfaceSites& sites) {
 void SiteRelaxer::tell_progress(std::span<const Vec3> sites) {
   if (!options_.progress) return;
   const auto place = [&](std::size_t site) { return input_.frame.to_mesh(sites[site]); };
-  is_interrupted_ =
-      !options_.progress({sites.size(), wanted_sites_, iteration_, energy_ratio_, place});
+  is_interrupted_ = !options_.progress(
+      {sites.size(), wanted_sites_, iteration_, energy_ratio_, place, finds_sizes_});
 }
 
 void SiteRelaxer::add_to_fingerprint(const LabelledSites& state) {

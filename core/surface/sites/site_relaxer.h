@@ -25,7 +25,8 @@ struct LabelledSites {
 class SiteRelaxer {
  public:
   /// Of sites on this surface. All must live on.
-  SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime);
+  SiteRelaxer(const SurfaceInput& input, const RemeshOptions& options, Runtime& runtime,
+              bool finds_sizes = false);
 
   /// What progress is told.
   void set_wanted_sites(std::size_t count) { wanted_sites_ = count; }
@@ -57,6 +58,7 @@ class SiteRelaxer {
   const SurfaceInput& input_;
   const RemeshOptions& options_;
   Runtime& runtime_;
+  bool finds_sizes_;  // what progress is told, too
   const FineMesh* mesh_ = nullptr;
   std::unique_ptr<SurfaceEngine> engine_;  // on it
   Stopwatch watch_;
