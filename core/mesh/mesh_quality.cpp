@@ -21,6 +21,17 @@ std::array<double, 3> edge_lengths(const TriangleCorners& corners) {
   return lengths;
 }
 
+// Right angles are not, however they are rounded.
+bool is_obtuse(const TriangleCorners& corners) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 b = corners[(i + 1) % 3] - corners[i];
+    const Vec3 c = corners[(i + 2) % 3] - corners[i];
+    if (dot(b, c) < -rounding * norm(b) * norm(c)) return true;
+  }
+  return false;
+}
+
 void measure_triangles(const Mesh& mesh, std::span<const Metric> metric, MeshQuality& quality) {
   if (mesh.triangles.empty()) return;
   quality.smallest_angle = 60;
@@ -28,6 +39,7 @@ void measure_triangles(const Mesh& mesh, std::span<const Metric> metric, MeshQua
   double angles = 0;
   double qualities = 0;
   double under_30 = 0;
+  double obtuse = 0;
   for (const Triangle& t : mesh.triangles) {
     const TriangleCorners corners = corners_of(mesh, t, metric);
     const double angle = smallest_angle(corners);
@@ -37,11 +49,13 @@ void measure_triangles(const Mesh& mesh, std::span<const Metric> metric, MeshQua
     angles += angle;
     qualities += q;
     if (angle < 30) ++under_30;
+    if (is_obtuse(corners)) ++obtuse;
   }
   const auto count = static_cast<double>(mesh.triangle_count());
   quality.mean_smallest_angle = angles / count;
   quality.mean_quality = qualities / count;
   quality.share_under_30 = under_30 / count;
+  quality.share_obtuse = obtuse / count;
 }
 
 void count_valences(const Mesh& mesh, const MeshEdges& edges, MeshQuality& quality) {

@@ -11,7 +11,7 @@
 namespace geolloyd {
 namespace {
 
-using Whole = __int128;
+__extension__ using Whole = __int128;
 using Place = std::array<std::int64_t, 3>;
 
 int sign_of(Whole x) {

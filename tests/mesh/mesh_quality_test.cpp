@@ -105,6 +105,16 @@ TEST(MeshQuality, ThirtyDegreesAreNotUnderThirty) {
   EXPECT_EQ(quality_of(right_triangle(std::sqrt(3.0), 1 - 1e-12)).share_under_30, 1);
 }
 
+TEST(MeshQuality, RightAnglesAreNotObtuse) {
+  Mesh mesh = right_triangle(1, 0.1);
+  for (Vec3& p : mesh.positions) p += Vec3(1.0 / 3, 0.1, 1e3 / 7);
+  EXPECT_EQ(quality_of(mesh).share_obtuse, 0);
+  for (const double turn : {-1e-3, 1e-3}) {
+    const Mesh turned{{{0, 0, 0}, {1, 0, 0}, {turn, 1, 0}}, {{0, 1, 2}}};
+    EXPECT_EQ(quality_of(turned).share_obtuse, turn < 0 ? 1 : 0);
+  }
+}
+
 TEST(MeshQuality, OfAnIcosahedronIsThatOfEquilateralTriangles) {
   const MeshQuality quality = quality_of(icosphere(20));
   EXPECT_NEAR(quality.smallest_angle, 60, 1e-5);

@@ -116,7 +116,7 @@ py::dict words_of(const MeshQuality& q) {
   return py::dict(
       py::arg("smallest_angle") = q.smallest_angle,
       py::arg("mean_smallest_angle") = q.mean_smallest_angle,
-      py::arg("share_under_30") = q.share_under_30,
+      py::arg("share_under_30") = q.share_under_30, py::arg("share_obtuse") = q.share_obtuse,
       py::arg("smallest_quality") = q.smallest_quality, py::arg("mean_quality") = q.mean_quality,
       py::arg("inner_vertices") = q.inner_vertices, py::arg("share_valence_6") = q.share_valence_6,
       py::arg("share_valence_5_to_7") = q.share_valence_5_to_7);

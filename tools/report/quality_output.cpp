@@ -136,10 +136,15 @@ std::string describe_in_metric(const MeshQuality& q) {
 }
 
 Json quality_part(const MeshQuality& q) {
-  return {{"smallest_angle", q.smallest_angle},   {"mean_smallest_angle", q.mean_smallest_angle},
-          {"share_under_30", q.share_under_30},   {"smallest_quality", q.smallest_quality},
-          {"mean_quality", q.mean_quality},       {"inner_vertices", q.inner_vertices},
-          {"share_valence_6", q.share_valence_6}, {"share_valence_5_to_7", q.share_valence_5_to_7}};
+  return {{"smallest_angle", q.smallest_angle},
+          {"mean_smallest_angle", q.mean_smallest_angle},
+          {"share_under_30", q.share_under_30},
+          {"share_obtuse", q.share_obtuse},
+          {"smallest_quality", q.smallest_quality},
+          {"mean_quality", q.mean_quality},
+          {"inner_vertices", q.inner_vertices},
+          {"share_valence_6", q.share_valence_6},
+          {"share_valence_5_to_7", q.share_valence_5_to_7}};
 }
 
 Json distance_part(const DistanceFigures& figures, double diagonal) {
@@ -166,6 +171,8 @@ std::string quality_text(const QualityRecord& record) {
                         describe_self_intersections(record.self_intersections.size()));
   }
   text += describe(record.quality);
+  text += fmt::format("  {:<12}{} of the triangles\n", "obtuse",
+                      share_text(record.quality.share_obtuse));
   if (record.in_metric) text += describe(*record.in_metric);
   if (record.likeness) text += describe(*record.likeness, remesh, *record.original);
   if (record.bounds) {

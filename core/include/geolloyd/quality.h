@@ -38,6 +38,8 @@ struct MeshQuality {
   double smallest_angle = none;       ///< of all triangles, degrees
   double mean_smallest_angle = none;  ///< mean of each triangle's smallest one, degrees
   double share_under_30 = none;       ///< of triangles whose smallest angle is under 30 degrees
+  double share_obtuse =
+      none;  ///< of triangles with an angle over 90 degrees, not by rounding alone
   double smallest_quality = none;
   double mean_quality = none;
   std::size_t inner_vertices = 0;
