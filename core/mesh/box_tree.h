@@ -51,8 +51,9 @@ class BoxTree {
     });
   }
 
-  /// Calls visit(i, k, worker) for each two boxes that overlap, once, in any order and by all
-  /// threads; no two calls with the same `worker` run at once.
+  /// Calls visit(i, k, worker) for each two boxes that overlap, once, by all threads; no two calls
+  /// with the same `worker` run at once. Those with the same i are in an order of their own, and
+  /// after a false no more come.
   template <class Visit>
   void for_each_pair(Executor& executor, Visit&& visit) const {
     constexpr std::size_t some_leaves = 64;
@@ -60,7 +61,7 @@ class BoxTree {
                         [&](std::size_t begin, std::size_t end, std::size_t worker) {
                           for (std::size_t leaf = begin; leaf < end; ++leaf) {
                             visit_pairs_of(leaf, [&](std::size_t i, std::size_t k) {
-                              visit(number_[i], number_[k], worker);
+                              return visit(number_[i], number_[k], worker);
                             });
                           }
                         });
@@ -159,16 +160,19 @@ class BoxTree {
 
   template <class Visit>
   void visit_pairs_of(std::size_t leaf, Visit&& visit) const {
+    std::array<bool, leaf_size> is_done{};
     any_leaf(level_[0][leaf], leaf, [&](std::size_t other) {
       for (std::size_t i = 0; i < leaf_size; ++i) {
         const Box box = leaf_[leaf][i];
-        if (!overlap(box, level_[0][other])) continue;
+        if (is_done[i] || !overlap(box, level_[0][other])) continue;
         const Flags overlaps = leaf_[other].overlaps(box);
-        for (std::size_t k = other == leaf ? i + 1 : 0; k < leaf_size; ++k) {
-          if (overlaps[k] != 0) visit(leaf * leaf_size + i, other * leaf_size + k);
+        for (std::size_t k = other == leaf ? i + 1 : 0; k < leaf_size && !is_done[i]; ++k) {
+          if (overlaps[k] != 0) {
+            is_done[i] = !visit(leaf * leaf_size + i, other * leaf_size + k);
+          }
         }
       }
-      return false;
+      return std::find(is_done.begin(), is_done.end(), false) == is_done.end();
     });
   }
 

@@ -9,7 +9,8 @@
 namespace geolloyd {
 
 /// The self-intersections of a mesh: pairs of triangles that cross, as crossing_triangles.h has it;
-/// ascending.
+/// ascending. Where a triangle crosses more than a hundred others, some of its pairs may be left
+/// out.
 std::vector<TrianglePair> find_crossings(const Mesh& mesh, Executor& executor = sequential());
 
 /// The corners of these, per vertex.

@@ -56,6 +56,7 @@ bool HoleSurroundings::is_in_the_way_of(std::span<const Corners> filling) const 
   bool crosses = false;
   own.for_each_pair(sequential(), [&](std::uint32_t i, std::uint32_t k, std::size_t) {
     crosses = crosses || do_cross(filling[i], filling[k]);
+    return !crosses;
   });
   return crosses;
 }

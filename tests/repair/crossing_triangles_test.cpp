@@ -293,6 +293,7 @@ TEST(BoxTree, FindsAllPairsThatOverlapOnce) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
     tree.for_each_pair(sequential(), [&](std::uint32_t i, std::uint32_t k, std::size_t) {
       EXPECT_TRUE(found.insert({std::min(i, k), std::max(i, k)}).second);
+      return true;
     });
     std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -318,8 +319,27 @@ TEST(BoxTree, FindsBoxesThatTouch) {
   std::size_t touching = 0;
   tree.for_each_pair(sequential(), [&](std::uint32_t i, std::uint32_t k, std::size_t) {
     touching += std::max(i, k) - std::min(i, k) == 1 ? 1 : 0;
+    return true;
   });
   EXPECT_EQ(touching, boxes.size() - 1);
+}
+
+TEST(BoxTree, LeavesABoxWhenItIsTold) {
+  const std::size_t count = 100;
+  const GrowingBox box = [] {
+    GrowingBox of;
+    of.add(Vec3(0, 0, 0));
+    of.add(Vec3(1, 1, 1));
+    return of;
+  }();
+  const BoxTree tree(count, [&](std::size_t) { return box; });
+  std::vector<int> pairs(count, 0);
+  tree.for_each_pair(sequential(),
+                     [&](std::uint32_t i, std::uint32_t, std::size_t) { return ++pairs[i] < 3; });
+  std::sort(pairs.begin(), pairs.end());
+  EXPECT_EQ(std::vector<int>(pairs.begin(), pairs.begin() + 3), (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(pairs[3], 3);
+  EXPECT_EQ(pairs.back(), 3);
 }
 
 std::vector<TrianglePair> crossings_of_all_pairs(const Mesh& mesh) {
@@ -382,6 +402,15 @@ TEST(Crossings, AreThoseOfAllPairs) {
   const std::vector<TrianglePair> expected = crossings_of_all_pairs(soup);
   EXPECT_GT(expected.size(), 100U);
   EXPECT_EQ(find_crossings(soup), expected);
+}
+
+// The work and the memory for them are not in proportion to the square of their number.
+TEST(Crossings, OfATriangleAreNotMoreThanAHundred) {
+  Mesh stack;
+  stack.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  stack.triangles.assign(1000, {0, 1, 2});
+  const std::size_t last = 100 * 99 / 2;  // pairs among the last hundred
+  EXPECT_EQ(find_crossings(stack).size(), 100 * 900 + last);
 }
 
 }  // namespace

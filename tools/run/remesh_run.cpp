@@ -18,8 +18,8 @@ void make(const RemeshRequest& request, const MeshFacts& facts, RemeshCourse cou
     const double unit = request.is_percentage ? facts.bounding_diagonal / 100 : 1;
     ToleranceSearch found = search_within(request.tolerance * unit, std::move(course));
     result.made = std::move(found.best);
-    result.trials = std::move(found.trials);
     if (!found.trials.empty()) result.bounds = found.bounds;
+    result.trials = std::move(found.trials);
   } else {
     result.made = run(std::move(course));
   }
