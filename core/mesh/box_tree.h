@@ -78,12 +78,16 @@ class BoxTree {
 
     Box& operator+=(const Box& more);
   };
+  // 1 or 0, without a branch.
+  static std::int32_t is_in_order(float low, float high) {
+    return static_cast<std::int32_t>(low <= high);
+  }
   static bool overlap(const Box& a, const Box& b) {
-    bool is_apart = false;
+    std::int32_t overlaps = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      is_apart |= (a.low[axis] > b.high[axis]) | (b.low[axis] > a.high[axis]);
+      overlaps &= is_in_order(a.low[axis], b.high[axis]) & is_in_order(b.low[axis], a.high[axis]);
     }
-    return !is_apart;
+    return overlaps != 0;
   }
 
   // Of all boxes the same side side by side, for vector units.
@@ -103,9 +107,9 @@ class BoxTree {
     [[nodiscard]] Flags overlaps(const Box& box) const {
       Flags flags;
       for (std::size_t i = 0; i < leaf_size; ++i) {
-        flags[i] = (low[0][i] <= box.high[0]) & (box.low[0] <= high[0][i]) &
-                   (low[1][i] <= box.high[1]) & (box.low[1] <= high[1][i]) &
-                   (low[2][i] <= box.high[2]) & (box.low[2] <= high[2][i]);
+        flags[i] = is_in_order(low[0][i], box.high[0]) & is_in_order(box.low[0], high[0][i]) &
+                   is_in_order(low[1][i], box.high[1]) & is_in_order(box.low[1], high[1][i]) &
+                   is_in_order(low[2][i], box.high[2]) & is_in_order(box.low[2], high[2][i]);
       }
       return flags;
     }

@@ -74,7 +74,7 @@ class ExactSum {
   [[nodiscard]] int sign() const { return count_ == 0 ? 0 : sign_of(part_[count_ - 1]); }
 
  private:
-  static constexpr std::size_t most = 4 * 24;  // parts of 24 products of three
+  static constexpr std::size_t most = 96;  // four parts of each of 24 products of three
   std::array<double, most> part_{};
   std::size_t count_ = 0;
 };
