@@ -85,13 +85,12 @@ bool are_surely_apart_beside_first(const Corners& first, const Corners& second) 
 // Whether a line along one of the two edges of a wedge at a point has it on one side, all of
 // another wedge there on the other.
 bool does_edge_part(const Corners& wedge, const Corners& other, const Projection& projection) {
-  const auto& [at, a, b] = wedge;
-  const int turn = projection.orientation(at, a, b);
+  const int turn = projection.orientation(wedge[0], wedge[1], wedge[2]);
   const auto is_beyond = [&](const Vec3& end, int side) {
-    return projection.orientation(at, end, other[1]) == side &&
-           projection.orientation(at, end, other[2]) == side;
+    return projection.orientation(wedge[0], end, other[1]) == side &&
+           projection.orientation(wedge[0], end, other[2]) == side;
   };
-  return turn != 0 && (is_beyond(a, -turn) || is_beyond(b, turn));
+  return turn != 0 && (is_beyond(wedge[1], -turn) || is_beyond(wedge[2], turn));
 }
 
 // Whether all are strictly on one side.
