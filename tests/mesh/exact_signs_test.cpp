@@ -70,10 +70,10 @@ void expect_exact(const std::array<Place, 4>& p, double unit) {
 TEST(Orientation, IsThatOfWholeNumbers) {
   Places random(1);
   std::size_t flat = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (std::size_t i = 0; i < 20'000; ++i) {
     const std::int64_t size = std::array<std::int64_t, 3>{4, 1000, std::int64_t{1} << 39}[i % 3];
     const std::int64_t origin = i % 2 == 0 ? 0 : (std::int64_t{1} << 52);
-    const double unit = std::array{1.0, 0x1p-240, 0x1p190}[static_cast<std::size_t>(i % 7 % 3)];
+    const double unit = std::array{1.0, 0x1p-240, 0x1p190}[i % 7 % 3];
     std::array<Place, 4> p;
     for (Place& place : p) {
       place = random.place(size);
@@ -88,7 +88,7 @@ TEST(Orientation, IsThatOfWholeNumbers) {
 // In a plane, and one unit beside it.
 TEST(Orientation, IsExactBesideAPlane) {
   Places random(2);
-  for (int i = 0; i < 20'000; ++i) {
+  for (std::size_t i = 0; i < 20'000; ++i) {
     const Place a = random.place(std::int64_t{1} << 20);
     const Place b = random.place(std::int64_t{1} << 20);
     const Place c = random.place(std::int64_t{1} << 20);
@@ -100,7 +100,7 @@ TEST(Orientation, IsExactBesideAPlane) {
     }
     expect_exact({a, b, c, d}, 1);
     Place e;
-    for (std::size_t x = 0; x < 3; ++x) e[x] = a[x] + s * (b[x] - a[x]) + i % 2;
+    for (std::size_t x = 0; x < 3; ++x) e[x] = a[x] + s * (b[x] - a[x]) + (i % 2 == 1 ? 1 : 0);
     expect_exact({a, b, e, c}, 1);
   }
 }

@@ -223,7 +223,7 @@ TEST(CrossingTriangles, AreThoseOfWholeNumbers) {
     return p;
   };
   std::array<std::size_t, 2> counts{};
-  for (int i = 0; i < 60'000; ++i) {
+  for (std::size_t i = 0; i < 60'000; ++i) {
     const WholeTriangles::Three a = {place(), place(), place()};
     WholeTriangles::Three b = {place(), place(), place()};
     if (i % 4 == 1) b[i % 3] = a[i % 2];
