@@ -45,7 +45,7 @@ void BoxTree::build_levels(Executor& executor) {
     return all;
   });
   while (level_.back().size() > 1) {
-    const std::vector<Box> below = level_.back();
+    const std::vector<Box>& below = level_.back();
     add_level((below.size() + 1) / 2, [&](std::size_t i) {
       Box all = below[2 * i];
       if (2 * i + 1 < below.size()) all += below[2 * i + 1];

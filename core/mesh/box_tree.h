@@ -52,8 +52,8 @@ class BoxTree {
   }
 
   /// Calls visit(i, k, worker) for each two boxes that overlap, once, by all threads; no two calls
-  /// with the same `worker` run at once. Those with the same i are in an order of their own, and
-  /// after a false no more come.
+  /// with the same `worker` run at once. It returns whether more pairs with this i are wanted.
+  /// Their order is the same on any number of threads.
   template <class Visit>
   void for_each_pair(Executor& executor, Visit&& visit) const {
     constexpr std::size_t some_leaves = 64;

@@ -23,10 +23,7 @@ bool are_in_plain_star(const Triangle& one, const Triangle& other,
 }  // namespace
 
 std::vector<TrianglePair> find_crossings(const Mesh& mesh, Executor& executor) {
-  const auto corners = [&](TriangleId t) -> TriangleCorners {
-    const auto& [a, b, c] = mesh.triangles[t];
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-  };
+  const auto corners = [&](TriangleId t) { return corners_of(mesh, mesh.triangles[t]); };
   const BoxTree tree(
       mesh.triangle_count(),
       [&](std::size_t t) { return box_around(corners(static_cast<TriangleId>(t))); }, executor);

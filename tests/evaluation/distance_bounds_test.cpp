@@ -39,9 +39,9 @@ void expect_around(const DistanceBounds& bounds, double expected, double roundin
 }
 
 // A mesh of triangles whose corners are no one else's.
-Mesh soup_of(const std::vector<Corners>& triangles) {
+Mesh soup_of(const std::vector<TriangleCorners>& triangles) {
   Mesh mesh;
-  for (const Corners& corner : triangles) {
+  for (const TriangleCorners& corner : triangles) {
     const auto first = static_cast<VertexId>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), corner.begin(), corner.end());
     mesh.triangles.push_back({first, first + 1, first + 2});
@@ -148,13 +148,13 @@ Vec3 random_place(std::uint64_t n) {
 
 // Thin ones, segments and points among them.
 Mesh random_triangles(std::size_t count, std::uint64_t first) {
-  std::vector<Corners> triangles;
+  std::vector<TriangleCorners> triangles;
   for (std::uint64_t n = first; n < first + count; ++n) {
     const Vec3 a = random_place(5 * n);
     const Vec3 b = a + 0.3 * random_place(5 * n + 1);
     const double width = n % 4 == 0 ? 0 : n % 4 == 1 ? 1e-9 : 0.2;
     const Vec3 c = a + 0.4 * (b - a) + width * random_place(5 * n + 2);
-    triangles.push_back(n % 7 == 0 ? Corners{a, a, a} : Corners{a, b, c});
+    triangles.push_back(n % 7 == 0 ? TriangleCorners{a, a, a} : TriangleCorners{a, b, c});
   }
   return soup_of(triangles);
 }
@@ -220,7 +220,7 @@ TEST(DistanceBounds, HoldFarFromTheOriginAndAtEveryScale) {
   EXPECT_LE(found.upper - found.lower, 0.01 * 0x1p-12);
 }
 
-double area_of(const Corners& corner) {
+double area_of(const TriangleCorners& corner) {
   return norm(cross(corner[1] - corner[0], corner[2] - corner[0])) / 2;
 }
 
@@ -229,8 +229,8 @@ TEST(PieceCuts, LoseNothing) {
   for (std::uint64_t n = 0; n < 500; ++n) {
     const SurfacePiece whole{
         {random_place(6 * n), random_place(6 * n + 1), random_place(6 * n + 2)}};
-    const Corners near = {random_place(6 * n + 3), random_place(6 * n + 4),
-                          random_place(6 * n + 5)};
+    const TriangleCorners near = {random_place(6 * n + 3), random_place(6 * n + 4),
+                                  random_place(6 * n + 5)};
     std::vector<SurfacePiece> pieces;
     std::vector<Vec3> corners;
     cut(whole, near, 1e-14, pieces, corners);
@@ -246,7 +246,7 @@ TEST(PieceCuts, LoseNothing) {
 // Along the diagonal of a square: two pieces, and no more corner than that of the cut.
 TEST(PieceCuts, RunAlongWalls) {
   const SurfacePiece whole{{Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1)}};
-  const Corners near = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  const TriangleCorners near = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   std::vector<SurfacePiece> pieces;
   std::vector<Vec3> corners;
   cut(whole, near, 1e-14, pieces, corners);

@@ -10,12 +10,12 @@ namespace {
 // Of the corners, how far each is beyond a wall.
 using Heights = std::array<double, 3>;
 
-double square_of_edge(const Corners& corner, std::size_t i) {
+double square_of_edge(const TriangleCorners& corner, std::size_t i) {
   const Vec3 edge = corner[(i + 1) % 3] - corner[i];
   return dot(edge, edge);
 }
 
-std::size_t longest_edge(const Corners& corner) {
+std::size_t longest_edge(const TriangleCorners& corner) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     if (square_of_edge(corner, i) > square_of_edge(corner, longest)) longest = i;
@@ -29,7 +29,7 @@ class PieceCut {
       : piece_(piece), pieces_(pieces), corners_(corners) {}
 
   void in_halves() {
-    const Corners& corner = piece_.corner;
+    const TriangleCorners& corner = piece_.corner;
     const std::size_t i = longest_edge(corner);
     const Vec3& a = corner[i];
     const Vec3& b = corner[(i + 1) % 3];
@@ -71,7 +71,9 @@ class PieceCut {
     return corners_.back();
   }
 
-  void add(const Corners& corner) { pieces_.push_back({corner, piece_.near, piece_.depth + 1}); }
+  void add(const TriangleCorners& corner) {
+    pieces_.push_back({corner, piece_.near, piece_.depth + 1});
+  }
 
   const SurfacePiece& piece_;
   std::vector<SurfacePiece>& pieces_;
@@ -79,7 +81,8 @@ class PieceCut {
 };
 
 // The wall beyond which a corner is farthest, of those that run through the piece.
-std::optional<Heights> find_wall(const Corners& piece, const Corners& near, double slack) {
+std::optional<Heights> find_wall(const TriangleCorners& piece, const TriangleCorners& near,
+                                 double slack) {
   const Vec3 normal = normalized(cross(near[1] - near[0], near[2] - near[0]));
   std::optional<Heights> wall;
   double farthest = 0;
@@ -100,7 +103,7 @@ std::optional<Heights> find_wall(const Corners& piece, const Corners& near, doub
 
 }  // namespace
 
-void cut(const SurfacePiece& piece, const Corners& near, double slack,
+void cut(const SurfacePiece& piece, const TriangleCorners& near, double slack,
          std::vector<SurfacePiece>& pieces, std::vector<Vec3>& corners) {
   constexpr double much_longer = 2;
   PieceCut made(piece, pieces, corners);

@@ -13,20 +13,20 @@ namespace {
 // Less than any distance that counts, and no square of it is 0.
 constexpr double hardly_apart = 1e-100;
 
-Corners seen_from(const Vec3& p, const Corners& triangle) {
+TriangleCorners seen_from(const Vec3& p, const TriangleCorners& triangle) {
   return {triangle[0] - p, triangle[1] - p, triangle[2] - p};
 }
 
-Vec3 closest_to_origin(const Corners& corner) {
+Vec3 closest_to_origin(const TriangleCorners& corner) {
   const auto [v, w] = barycentric_closest_to_origin(corner);
   return corner[0] + v * (corner[1] - corner[0]) + w * (corner[2] - corner[0]);
 }
 
-bool has_corner_at(const Corners& triangle, const Vec3& p) {
+bool has_corner_at(const TriangleCorners& triangle, const Vec3& p) {
   return triangle[0] == p || triangle[1] == p || triangle[2] == p;
 }
 
-double square_between(const Vec3& p, const Corners& triangle) {
+double square_between(const Vec3& p, const TriangleCorners& triangle) {
   if (has_corner_at(triangle, p)) return 0;
   const Vec3 away = closest_to_origin(seen_from(p, triangle));
   return std::max(dot(away, away), hardly_apart);
@@ -34,8 +34,8 @@ double square_between(const Vec3& p, const Corners& triangle) {
 
 // Of the triangle: no point of it is nearer than the plane across the way to its closest point that
 // has all corners behind it. A foot that is off by rounding makes this less, never more.
-double least_between(const Vec3& p, const Corners& triangle) {
-  const Corners corner = seen_from(p, triangle);
+double least_between(const Vec3& p, const TriangleCorners& triangle) {
+  const TriangleCorners corner = seen_from(p, triangle);
   const Vec3 way = normalized(closest_to_origin(corner));
   return std::min({dot(way, corner[0]), dot(way, corner[1]), dot(way, corner[2])});
 }
@@ -72,7 +72,7 @@ void TriangleTree::add_boxes(Executor& executor) {
     for (const Vec3& p : triangles_[t]) box.add(p);
   });
   while (boxes_.back().size() > 1) {
-    const std::vector<GrowingBox> below = boxes_.back();
+    const std::vector<GrowingBox>& below = boxes_.back();
     add_level(below.size(), [&](GrowingBox& box, std::size_t k) { box += below[k]; });
   }
 }

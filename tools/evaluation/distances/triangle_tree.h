@@ -10,11 +10,10 @@
 #include "core/base/bounding_box.h"
 #include "core/base/executor.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/mesh_quality.h"
 #include "tools/evaluation/distances/exact_frame.h"
 
 namespace geolloyd {
-
-using Corners = std::array<Vec3, 3>;
 
 /// The triangles of a surface in boxes, four in each and four boxes in each larger one, all in
 /// double. Triangles have numbers of their own, along a curve through space.
@@ -23,7 +22,9 @@ class TriangleTree {
   /// Coordinates are those of the frame. Of a mesh with at least one triangle.
   TriangleTree(const Mesh& mesh, const ExactFrame& frame, Executor& executor);
 
-  [[nodiscard]] const Corners& triangle(std::uint32_t number) const { return triangles_[number]; }
+  [[nodiscard]] const TriangleCorners& triangle(std::uint32_t number) const {
+    return triangles_[number];
+  }
 
   struct Found {
     std::uint32_t triangle = 0;
@@ -76,7 +77,7 @@ class TriangleTree {
   std::size_t add_children(const Node& node, std::span<const Vec3> points, double square,
                            std::array<Node, most_open>& open, std::size_t count) const;
 
-  std::vector<Corners> triangles_;
+  std::vector<TriangleCorners> triangles_;
   std::vector<std::vector<GrowingBox>> boxes_;  // per level; the last has one
 };
 
